@@ -1,0 +1,74 @@
+// Building and inverting cumulative sums.
+#include "core/distribution.h"
+
+#include <algorithm>
+
+namespace umbral {
+
+Distribution1D::Distribution1D(std::span<const double> weights) : cdf_(weights.size() + 1, 0.0f) {
+  for (const double weight : weights) sum_ += weight;
+  double running = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    running += sum_ > 0 ? weights[i] / sum_ : 1.0 / static_cast<double>(weights.size());
+    cdf_[i + 1] = static_cast<float>(std::min(running, 1.0));
+  }
+  // Rounding may leave the last sum below 1: what is missing belongs to the last index that has a weight.
+  for (std::size_t i = weights.size(); i > 0; --i) {
+    cdf_[i] = 1;
+    if (sum_ <= 0 || weights[i - 1] > 0) break;
+  }
+}
+
+Distribution1D::Draw Distribution1D::sample(float u) const {
+  const auto above = std::upper_bound(cdf_.begin() + 1, cdf_.end() - 1, u);
+  const auto index = static_cast<std::size_t>(above - cdf_.begin()) - 1;
+  const float width = probability(index);
+  const float remainder = width > 0 ? (u - cdf_[index]) / width : 0.5f;
+  return {index, width, std::min(remainder, one_minus_epsilon)};
+}
+
+namespace {
+
+// Of n cells of the unit interval, the one that holds x; beyond the interval the nearest.
+std::size_t cell_of(float x, std::size_t n) {
+  return std::min(static_cast<std::size_t>(std::max(0.0f, x) * static_cast<float>(n)), n - 1);
+}
+
+// The position of `remainder` in the cell `index` of n. Rounding may put it beside its cell, where the
+// density is another one or none: then it moves back by a float.
+float position_in_cell(std::size_t index, float remainder, std::size_t n) {
+  float x = (static_cast<float>(index) + remainder) / static_cast<float>(n);
+  while (x >= 1 || cell_of(x, n) > index) x = std::nextafter(x, 0.0f);
+  while (cell_of(x, n) < index) x = std::nextafter(x, 1.0f);
+  return x;
+}
+
+}  // namespace
+
+Distribution2D::Distribution2D(std::span<const double> weights, std::size_t width, std::size_t height) {
+  std::vector<double> sums;
+  for (std::size_t y = 0; y < height; ++y) {
+    columns_.emplace_back(weights.subspan(y * width, width));
+    sums.push_back(columns_.back().sum());
+  }
+  rows_ = Distribution1D(sums);
+}
+
+Distribution2D::Draw Distribution2D::sample(const Vec2& u) const {
+  const Distribution1D::Draw row = rows_.sample(u.y);
+  const Distribution1D& columns = columns_[row.index];
+  const Distribution1D::Draw column = columns.sample(u.x);
+  const Vec2 position{position_in_cell(column.index, column.remainder, columns.size()),
+                      position_in_cell(row.index, row.remainder, rows_.size())};
+  const auto cells = static_cast<float>(columns.size() * rows_.size());
+  return {position, row.probability * column.probability * cells};
+}
+
+float Distribution2D::pdf(const Vec2& position) const {
+  const std::size_t y = cell_of(position.y, rows_.size());
+  const Distribution1D& columns = columns_[y];
+  const auto cells = static_cast<float>(columns.size() * rows_.size());
+  return rows_.probability(y) * columns.probability(cell_of(position.x, columns.size())) * cells;
+}
+
+}  // namespace umbral

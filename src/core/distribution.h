@@ -1,0 +1,55 @@
+// Piecewise-constant distributions over a list and over a grid, sampled by their stored cumulative sums.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/math.h"
+
+namespace umbral {
+
+// Over 0 … size−1, each with the probability weight/sum. Sums are made in double; the probabilities that pdf()
+// tells are differences of the *stored* table, so that they are exactly those that sample() follows.
+class Distribution1D {
+ public:
+  struct Draw {
+    std::size_t index;
+    float probability;  // of this index
+    float remainder;    // where in the index's interval u fell, in [0, 1): uniform again
+  };
+
+  Distribution1D() = default;
+  // Weights are finite and ≥ 0; where all are zero, every index gets the same probability.
+  explicit Distribution1D(std::span<const double> weights);
+
+  std::size_t size() const { return cdf_.empty() ? 0 : cdf_.size() - 1; }
+  double sum() const { return sum_; }  // of the weights
+  Draw sample(float u) const;
+  float probability(std::size_t index) const { return cdf_[index + 1] - cdf_[index]; }
+
+ private:
+  std::vector<float> cdf_;  // size + 1 values, from 0 to 1
+  double sum_ = 0;
+};
+
+// Over the unit square, constant on each cell of a width × height grid; row 0 is at y = 0.
+class Distribution2D {
+ public:
+  struct Draw {
+    Vec2 position;  // in the unit square
+    float pdf;      // per unit area of the square
+  };
+
+  Distribution2D() = default;
+  Distribution2D(std::span<const double> weights, std::size_t width, std::size_t height);
+
+  Draw sample(const Vec2& u) const;
+  float pdf(const Vec2& position) const;
+  double sum() const { return rows_.sum(); }
+
+ private:
+  Distribution1D rows_;
+  std::vector<Distribution1D> columns_;  // one a row
+};
+
+}  // namespace umbral

@@ -1,0 +1,19 @@
+// Rays: an origin, a direction and the open interval in which something may be hit.
+#pragma once
+
+#include "core/math.h"
+
+namespace umbral {
+
+// Points on it are o + t d, t_min < t < t_max. `d` need not be of unit length: a shadow ray's is the whole way
+// to its light and its t_max is 1.
+struct Ray {
+  Vec3 o;             // world
+  Vec3 d;             // world
+  float t_min = 0;    // in lengths of d
+  float t_max = infinity;
+
+  Vec3 operator()(float t) const { return o + t * d; }
+};
+
+}  // namespace umbral
