@@ -1,0 +1,171 @@
+// Image files into texels, by OpenImageIO.
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <new>
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "image/texture_image.h"
+
+namespace umbral {
+namespace {
+
+constexpr std::int64_t most_texels = std::int64_t{1} << 29;
+
+// How the channels of a file make up a texel.
+struct Channels {
+  int count;       // of those read, from the first
+  bool grey;       // r = g = b
+  int alpha = -1;  // which of them; −1 if none
+};
+
+Channels channels_of(const OIIO::ImageSpec& spec) {
+  if (spec.nchannels == 1) return {1, true, -1};
+  if (spec.nchannels == 2) return {2, spec.alpha_channel == 1, spec.alpha_channel == 1 ? 1 : -1};
+  if (spec.nchannels >= 4 && spec.alpha_channel == 3) return {4, false, 3};
+  return {3, false, -1};
+}
+
+// One texel of the file, as red, green, blue and alpha; `one` stands for 1.
+template <class T>
+std::array<T, 4> expanded(const T* texel, const Channels& channels, T one) {
+  std::array<T, 4> rgba{texel[0], texel[0], texel[0], one};
+  if (!channels.grey) {
+    rgba[1] = texel[1];
+    rgba[2] = channels.count > 2 ? texel[2] : T{0};
+  }
+  if (channels.alpha >= 0) rgba[3] = texel[channels.alpha];
+  return rgba;
+}
+
+void require_sane(const OIIO::ImageSpec& spec, const std::string& path) {
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+    throw SceneError({path},
+                     fmt::format("the image is empty: it has {} x {} texels", spec.width, spec.height));
+  if (spec.depth > 1 || spec.deep)
+    throw SceneError({path}, "volumes and deep images cannot be used as textures");
+  if (std::int64_t{spec.width} * spec.height > most_texels)
+    throw SceneError({path}, fmt::format("the image has {} x {} texels, more than the {} supported",
+                                         spec.width, spec.height, most_texels));
+}
+
+// Some readers fill what a truncated file lacks with grey and leave a message: that is an error too.
+void require_complete(bool done, OIIO::ImageInput& input, const std::string& path) {
+  const std::string message = input.geterror();
+  if (done && message.empty()) return;
+  throw SceneError({path}, "the image is damaged" + (message.empty() ? "" : ": " + message));
+}
+
+template <class T>
+std::vector<T> read_values(OIIO::ImageInput& input, OIIO::TypeDesc type, int count, const std::string& path) {
+  const OIIO::ImageSpec& spec = input.spec();
+  std::vector<T> values(static_cast<std::size_t>(spec.width) * spec.height * count);
+  require_complete(input.read_image(0, 0, 0, count, type, values.data()), input, path);
+  return values;
+}
+
+// A grid of the texels of the file; `store` makes one from its four values. The file's last row becomes row
+// 0.
+template <class Format, class T>
+TexelGrid<Format> grid_of(OIIO::ImageInput& input, OIIO::TypeDesc type, T one, const std::string& path,
+                          auto&& store) {
+  const OIIO::ImageSpec& spec = input.spec();
+  const Channels channels = channels_of(spec);
+  const std::vector<T> values = read_values<T>(input, type, channels.count, path);
+  TexelGrid<Format> grid(spec.width, spec.height);
+  const T* texel = values.data();
+  for (int y = spec.height - 1; y >= 0; --y)
+    for (int x = 0; x < spec.width; ++x, texel += channels.count)
+      grid.set(x, y, store(expanded(texel, channels, one)));
+  return grid;
+}
+
+// Counts the texels with a bad channel and makes these channels 0.
+class Repair {
+ public:
+  template <class T>
+  std::array<T, 4> operator()(std::array<T, 4> texel) {
+    bool bad = false;
+    for (T& value : texel) {
+      if (is_good(value)) continue;
+      bad = true;
+      value = 0;
+    }
+    count_ += bad;
+    return texel;
+  }
+
+  void report(const OIIO::ImageSpec& spec, const std::string& path, std::vector<std::string>& repairs) const {
+    if (count_ == 0) return;
+    repairs.push_back(
+        fmt::format("{}: {} of {} texels had values that are not a number, infinite or negative; "
+                    "these values were replaced by 0",
+                    path, count_, std::int64_t{spec.width} * spec.height));
+  }
+
+ private:
+  static bool is_good(float value) { return value >= 0 && value < infinity; }
+  // binary16: the infinities start at 0x7c00; −0 is fine.
+  static bool is_good(std::uint16_t value) { return value < 0x7c00 || value == 0x8000; }
+
+  std::int64_t count_ = 0;
+};
+
+TextureImage::Texels read_texels(OIIO::ImageInput& input, bool srgb, Repair& repair,
+                                 const std::string& path) {
+  const OIIO::TypeDesc type(static_cast<OIIO::TypeDesc::BASETYPE>(input.spec().format.basetype));
+  const auto same = [](const std::array<std::uint8_t, 4>& t) { return t; };
+  if (type == OIIO::TypeDesc::UINT8) {
+    constexpr std::uint8_t one = 255;
+    if (srgb) return grid_of<Srgb8>(input, type, one, path, same);
+    return grid_of<Linear8>(input, type, one, path, same);
+  }
+  if (type == OIIO::TypeDesc::HALF && !srgb) {
+    constexpr std::uint16_t one = 0x3c00;
+    return grid_of<Half4>(input, type, one, path, [&](const std::array<std::uint16_t, 4>& t) {
+      return std::bit_cast<Half4::Stored>(repair(t));
+    });
+  }
+  return grid_of<Float4>(input, OIIO::TypeDesc::FLOAT, 1.0f, path, [&](const std::array<float, 4>& t) {
+    const auto [r, g, b, a] = repair(t);
+    return srgb ? Spectrum(srgb_decode(r), srgb_decode(g), srgb_decode(b), a) : Spectrum(r, g, b, a);
+  });
+}
+
+std::unique_ptr<OIIO::ImageInput> opened(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw SceneError({path}, "there is no such file");
+  if (!std::filesystem::is_regular_file(status)) throw SceneError({path}, "it is not a regular file");
+  if (std::filesystem::file_size(path, error) == 0) throw SceneError({path}, "the file is empty");
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);  // leave straight alpha straight
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &config);
+  if (!input) throw SceneError({path}, "the image cannot be read: " + OIIO::geterror());
+  return input;
+}
+
+}  // namespace
+
+TextureImage load_texture_image(const std::string& path, ColorSpace color_space,
+                                std::vector<std::string>& repairs) {
+  const std::unique_ptr<OIIO::ImageInput> input = opened(path);
+  const OIIO::ImageSpec spec = input->spec();
+  require_sane(spec, path);
+  const bool srgb = color_space == ColorSpace::srgb ||
+                    (color_space == ColorSpace::automatic && !spec.format.is_floating_point());
+  try {
+    Repair repair;
+    TextureImage image(read_texels(*input, srgb, repair, path));
+    repair.report(spec, path, repairs);
+    return image;
+  } catch (const std::bad_alloc&) {
+    throw SceneError(
+        {path}, fmt::format("there is not enough memory for its {} x {} texels", spec.width, spec.height));
+  }
+}
+
+}  // namespace umbral
