@@ -1,0 +1,42 @@
+// Matte surfaces: the same radiance in every direction [Lambert 1760].
+#pragma once
+
+#include <tuple>
+
+#include "bsdf/bsdf.h"
+#include "core/parameters.h"
+#include "core/warp.h"
+
+namespace umbral {
+
+// f = ρ/π.
+struct Lambert {
+  Spectrum reflectance = grey(0.5f);
+
+  static constexpr const char* kind = "matte";
+  static constexpr const char* doc = "an ideally diffuse surface (Lambert)";
+  static constexpr bool only_delta = false;
+  static constexpr bool has_choice = false;
+  static constexpr auto parameters = std::tuple{
+      parameter<&Lambert::reflectance>("reflectance", "share of the light that is reflected", zero_to_one)};
+
+  Spectrum f_cos(const Vec3& wo, const Vec3& wi) const {
+    return same_side(wo, wi) ? reflectance * (inverse_pi * std::abs(wi.z)) : black;
+  }
+
+  float pdf(const Vec3& wo, const Vec3& wi) const {
+    return same_side(wo, wi) ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0.0f;
+  }
+
+  std::optional<BsdfSample> sample(const Vec3& wo, float, const Vec2& u2) const {
+    const Vec3 wi = on_side_of(square_to_cosine_hemisphere(u2), wo);
+    if (!same_side(wo, wi)) return std::nullopt;
+    return BsdfSample{wi, reflectance, cosine_hemisphere_pdf(std::abs(wi.z))};
+  }
+
+  Spectrum albedo() const { return reflectance; }
+
+  BlinnPhongCoefficients local_model() const { return {reflectance, reflectance, black, 1}; }
+};
+
+}  // namespace umbral

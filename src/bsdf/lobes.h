@@ -1,0 +1,52 @@
+// The closed list of lobes. A new one is its own file and one line here.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bsdf/blinn_phong.h"
+#include "bsdf/dielectric.h"
+#include "bsdf/lambert.h"
+#include "bsdf/mirror.h"
+
+namespace umbral {
+
+using Lobes = std::variant<Lambert, BlinnPhong, Mirror, Dielectric>;
+
+template <class... T>
+constexpr bool all_are_bsdf_models(std::variant<T...>*) {
+  return (BsdfModel<T> && ...);
+}
+static_assert(all_are_bsdf_models(static_cast<Lobes*>(nullptr)));
+
+// The names that materials have in a scene file, in the order of the list.
+std::vector<std::string> lobe_kinds();
+
+// A lobe of that kind with its default parameters; none if there is no such kind.
+std::optional<Lobes> make_lobe(const std::string& kind);
+
+// The operations of the concept, on whichever lobe it is.
+inline Spectrum f_cos(const Lobes& lobes, const Vec3& wo, const Vec3& wi) {
+  return std::visit([&](const auto& lobe) { return lobe.f_cos(wo, wi); }, lobes);
+}
+inline float pdf(const Lobes& lobes, const Vec3& wo, const Vec3& wi) {
+  return std::visit([&](const auto& lobe) { return lobe.pdf(wo, wi); }, lobes);
+}
+inline std::optional<BsdfSample> sample(const Lobes& lobes, const Vec3& wo, float u1, const Vec2& u2) {
+  return std::visit([&](const auto& lobe) { return lobe.sample(wo, u1, u2); }, lobes);
+}
+inline Spectrum albedo(const Lobes& lobes) {
+  return std::visit([](const auto& lobe) { return lobe.albedo(); }, lobes);
+}
+inline bool only_delta(const Lobes& lobes) {
+  return std::visit([](const auto& lobe) { return lobe.only_delta; }, lobes);
+}
+inline bool has_choice(const Lobes& lobes) {
+  return std::visit([](const auto& lobe) { return lobe.has_choice; }, lobes);
+}
+inline BlinnPhongCoefficients to_blinn_phong(const Lobes& lobes) {
+  return std::visit([](const auto& lobe) { return lobe.local_model(); }, lobes);
+}
+
+}  // namespace umbral
