@@ -1,0 +1,32 @@
+// Camera rays.
+#include "scene/camera.h"
+
+#include "core/warp.h"
+
+namespace umbral {
+
+Camera::Camera(const CameraSettings& settings, int width, int height)
+    : position_(settings.position),
+      forward_(glm::normalize(settings.look_at - settings.position)),
+      lens_radius_(settings.lens_radius),
+      focus_distance_(settings.focus_distance) {
+  const Vec3 right = glm::normalize(cross(forward_, settings.up));
+  const Vec3 up = cross(right, forward_);
+  const float pixel = 2 * std::tan(glm::radians(settings.fov) / 2) / static_cast<float>(height);
+  right_ = right * pixel;
+  down_ = -up * pixel;
+  corner_ = forward_ - right_ * (static_cast<float>(width) / 2) - down_ * (static_cast<float>(height) / 2);
+  lens_x_ = right * lens_radius_;
+  lens_y_ = up * lens_radius_;
+  if (!(focus_distance_ > 0)) focus_distance_ = glm::length(settings.look_at - settings.position);
+}
+
+Ray Camera::ray(const Vec2& film, const Vec2& lens) const {
+  const Vec3 direction = corner_ + film.x * right_ + film.y * down_;
+  if (!has_lens()) return {position_, glm::normalize(direction)};
+  const Vec2 on_disk = square_to_disk(lens);
+  const Vec3 offset = on_disk.x * lens_x_ + on_disk.y * lens_y_;
+  return {position_ + offset, glm::normalize(direction * focus_distance_ - offset)};
+}
+
+}  // namespace umbral

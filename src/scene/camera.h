@@ -1,0 +1,51 @@
+// Camera: perspective, with a thin lens where it has a radius.
+#pragma once
+
+#include <tuple>
+
+#include "core/parameters.h"
+#include "core/ray.h"
+
+namespace umbral {
+
+// What a scene file says of the camera; distances in world units.
+struct CameraSettings {
+  Vec3 position{0, 0, 5};
+  Vec3 look_at{0, 0, 0};
+  Vec3 up{0, 1, 0};
+  float fov = 40;
+  float lens_radius = 0;
+  float focus_distance = 0;
+
+  static constexpr const char* kind = "camera";
+  static constexpr const char* doc = "a perspective camera, with a thin lens where lens_radius > 0";
+  static constexpr auto parameters = std::tuple{
+      parameter<&CameraSettings::position>("position", "where the eye (the middle of the lens) is"),
+      parameter<&CameraSettings::look_at>("look_at", "a point in the middle of the image"),
+      parameter<&CameraSettings::up>("up", "the way that is up in the image; not along the view"),
+      parameter<&CameraSettings::fov>("fov", "vertical angle of view, degrees", Range{0, 180, true, true}),
+      parameter<&CameraSettings::lens_radius>("lens_radius", "of the thin lens; 0 is a pinhole", non_negative),
+      parameter<&CameraSettings::focus_distance>(
+          "focus_distance", "of the sharp plane, along the view; 0 is the distance of look_at", non_negative)};
+};
+
+class Camera {
+ public:
+  // The image is width × height pixels, which are square.
+  Camera(const CameraSettings& settings, int width, int height);
+
+  bool has_lens() const { return lens_radius_ > 0; }
+  const Vec3& forward() const { return forward_; }  // unit, world
+
+  // The ray through `film` (pixels from the upper left corner, x right, y down); `lens` in [0, 1)² is used only
+  // where there is a lens. Its direction is of unit length.
+  Ray ray(const Vec2& film, const Vec2& lens) const;
+
+ private:
+  Vec3 position_, forward_;
+  Vec3 right_, down_, corner_;  // film to the plane at distance 1 along the view
+  Vec3 lens_x_, lens_y_;        // of length lens_radius_
+  float lens_radius_, focus_distance_;
+};
+
+}  // namespace umbral

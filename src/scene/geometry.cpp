@@ -1,0 +1,196 @@
+// Sorting shapes into groups and making surfaces from hits.
+#include "scene/geometry.h"
+
+#include <bit>
+
+#include "scene/description.h"
+
+namespace umbral {
+namespace {
+
+// Puts one shape after the other into a group.
+class GroupBuilder {
+ public:
+  GroupBuilder(Geometry& geometry, std::uint32_t group) : geometry_(geometry), group_(group) {}
+
+  void add(Shape& shape) {
+    Piece piece;
+    piece.material = shape.material;
+    std::optional<Rectangle> rectangle;
+    std::visit([&](auto& kind) { place(kind, shape.to_world, piece, rectangle); }, shape.kind);
+    if (shape.emits()) {
+      piece.emitter = static_cast<std::uint32_t>(emitters_.size());
+      const auto index = static_cast<std::uint32_t>(geometry_.groups[group_].pieces.size());
+      emitters_.push_back({no_index, group_, index, shape.emission, shape.two_sided, rectangle});
+    }
+    geometry_.groups[group_].pieces.push_back(piece);
+  }
+
+  const std::vector<Emitter>& emitters() const { return emitters_; }
+
+ private:
+  void place_mesh(Mesh&& mesh, const Affine& to_group, Piece& piece) {
+    mesh.transform(to_group);
+    piece.mesh = static_cast<std::uint32_t>(geometry_.meshes.size());
+    geometry_.meshes.push_back(std::move(mesh));
+  }
+
+  template <class Kind>
+  void place(Kind& kind, const Affine& to_group, Piece& piece, std::optional<Rectangle>& rectangle) {
+    if constexpr (std::is_same_v<Kind, Mesh>) {
+      place_mesh(std::move(kind), to_group, piece);
+    } else if constexpr (ParametricShape<Kind>) {
+      const Affine placed = to_group * kind.placement();
+      piece.analytic = static_cast<std::uint32_t>(geometry_.analytics.size());
+      geometry_.analytics.push_back({kind, placed, inverse(placed)});
+    } else {
+      place_mesh(kind.triangulated(), to_group, piece);
+      if constexpr (std::is_same_v<Kind, Rectangle>) rectangle = transformed(kind, to_group);
+    }
+  }
+
+  static Rectangle transformed(const Rectangle& r, const Affine& map) {
+    Rectangle result{Vec3(map.point(Vec3d(r.origin))), Vec3(map.vector(Vec3d(r.edge_u))),
+                     Vec3(map.vector(Vec3d(r.edge_v)))};
+    if (map.determinant() >= 0) return result;
+    // A mirrored rectangle would face the other way: keep its outer side, as Mesh::transform() does.
+    result.origin += result.edge_u;
+    result.edge_u = -result.edge_u;
+    return result;
+  }
+
+  Geometry& geometry_;
+  std::uint32_t group_;
+  std::vector<Emitter> emitters_;
+};
+
+// Barycentric weights of the three vertices.
+Vec3 weights(const Vec2& b) { return {1 - b.x - b.y, b.x, b.y}; }
+
+// The power of two that brings `x` > 0 into [1, 2), or near it for the smallest and largest numbers.
+float normalising_power(float x) {
+  const std::uint32_t exponent = std::bit_cast<std::uint32_t>(x) & 0x7f800000u;
+  return std::bit_cast<float>(glm::clamp(0x7f000000u - exponent, 0x00800000u, 0x7f000000u));
+}
+
+// Scaled by a power of two first, which is exact: tiny edges then keep clear of denormal numbers, and a scene of
+// another size has the same normals to the bit.
+Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a;
+  const float scale = normalising_power(max_component(glm::max(glm::abs(ab), glm::abs(ac))));
+  return glm::normalize(cross(ab * scale, ac * scale));
+}
+
+// Of group space, before an instance moves it.
+struct GroupSurface {
+  Vec3 p, ng, ns;
+  Vec3 magnitude;  // of the numbers that p was made from
+  Vec2 uv;
+};
+
+GroupSurface mesh_surface(const Mesh& mesh, const Hit& hit) {
+  const glm::uvec3& triangle = mesh.triangles[hit.primitive];
+  const Vec3 &a = mesh.positions[triangle.x], &b = mesh.positions[triangle.y], &c = mesh.positions[triangle.z];
+  const Vec3 w = weights(hit.barycentric);
+  GroupSurface s;
+  s.p = w.x * a + w.y * b + w.z * c;
+  s.ng = triangle_normal(a, b, c);
+  s.magnitude = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+  s.uv = interpolated_uv(mesh, hit.primitive, hit.barycentric);
+  s.ns = s.ng;
+  if (mesh.normals.empty()) return s;
+  const Vec3 n = w.x * mesh.normals[triangle.x] + w.y * mesh.normals[triangle.y] + w.z * mesh.normals[triangle.z];
+  const float facing = dot(n, s.ng);
+  if (facing != 0) s.ns = glm::normalize(facing < 0 ? -n : n);
+  return s;
+}
+
+GroupSurface analytic_surface(const PlacedShape& placed, const Vec3d& p_group) {
+  const SurfacePoint point =
+      std::visit([&](const auto& shape) { return shape.nearest(placed.from_group.point(p_group)); }, placed.shape);
+  GroupSurface s;
+  s.p = Vec3(placed.to_group.point(point.p));
+  s.ng = Vec3(glm::normalize(placed.from_group.transposed(point.n)));
+  s.ns = s.ng;
+  s.magnitude = glm::abs(s.p);
+  s.uv = Vec2(point.uv);
+  return s;
+}
+
+// An interpolated normal that faces away from a viewer who sees the outer side (or the other way round) would
+// leave a black seam at the silhouette: it is turned towards the viewer, to 1° short of level.
+Vec3 facing_normal(const Vec3& ns, const Vec3& ng, const Vec3& wo) {
+  constexpr float level = 0.0175f;
+  const float side = dot(wo, ng) < 0 ? -1.0f : 1.0f;
+  const float cosine = side * dot(wo, ns);
+  if (cosine > 0) return ns;
+  return glm::normalize(ns + side * (level - cosine) * wo);
+}
+
+void move_to_world(GroupSurface& s, const Placement& placement) {
+  const glm::dmat3& m = placement.to_world.linear;
+  const glm::dmat3 absolute(glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2]));
+  const bool smooth = s.ns != s.ng;
+  s.p = Vec3(placement.to_world.point(Vec3d(s.p)));
+  s.ng = Vec3(glm::normalize(placement.from_world.transposed(Vec3d(s.ng))));
+  s.ns = smooth ? Vec3(glm::normalize(placement.from_world.transposed(Vec3d(s.ns)))) : s.ng;
+  s.magnitude = Vec3(absolute * Vec3d(s.magnitude) + glm::abs(placement.to_world.offset));
+}
+
+}  // namespace
+
+Vec2 interpolated_uv(const Mesh& mesh, std::uint32_t triangle, const Vec2& barycentric) {
+  if (mesh.uvs.empty()) return barycentric;
+  const glm::uvec3& t = mesh.triangles[triangle];
+  const Vec3 w = weights(barycentric);
+  return w.x * mesh.uvs[t.x] + w.y * mesh.uvs[t.y] + w.z * mesh.uvs[t.z];
+}
+
+Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
+  const Piece& piece = this->piece(hit);
+  const Placement* placement = hit.instance == no_index ? nullptr : &instances[hit.instance];
+  GroupSurface s;
+  if (piece.mesh != no_index) {
+    s = mesh_surface(meshes[piece.mesh], hit);
+  } else {
+    Vec3d p = Vec3d(ray.o) + static_cast<double>(hit.t) * Vec3d(ray.d);
+    if (placement) p = placement->from_world.point(p);
+    s = analytic_surface(analytics[piece.analytic], p);
+  }
+  if (placement) move_to_world(s, *placement);
+  if (s.ns != s.ng) s.ns = facing_normal(s.ns, s.ng, -glm::normalize(ray.d));
+  Surface surface{s.p, s.ng, frame_from_normal(s.ns), s.uv, surface_error(s.magnitude, s.ng), piece.material};
+  if (piece.emitter != no_index)
+    surface.light = static_cast<LightId>(piece.emitter + (placement ? placement->first_light : 0));
+  return surface;
+}
+
+Geometry sorted_geometry(SceneDescription& description) {
+  Geometry geometry;
+  geometry.groups.resize(1 + description.objects.size());
+  std::vector<std::vector<Emitter>> emitters;
+  const auto build = [&](std::vector<Shape>& shapes, std::uint32_t group) {
+    GroupBuilder builder(geometry, group);
+    for (Shape& shape : shapes) builder.add(shape);
+    emitters.push_back(builder.emitters());
+    shapes.clear();
+  };
+  build(description.shapes, 0);
+  for (std::size_t i = 0; i < description.objects.size(); ++i)
+    build(description.objects[i].shapes, static_cast<std::uint32_t>(i + 1));
+
+  geometry.emitters = emitters[0];
+  for (const Instance& instance : description.instances) {
+    const std::uint32_t group = index_of(instance.object) + 1;
+    const auto number = static_cast<std::uint32_t>(geometry.instances.size());
+    geometry.instances.push_back({group, instance.to_world, inverse(instance.to_world),
+                                  static_cast<std::uint32_t>(geometry.emitters.size())});
+    for (Emitter emitter : emitters[group]) {
+      emitter.instance = number;
+      geometry.emitters.push_back(emitter);
+    }
+  }
+  return geometry;
+}
+
+}  // namespace umbral

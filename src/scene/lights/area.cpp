@@ -1,0 +1,130 @@
+// Sampling the surface of emitting shapes.
+#include "scene/lights/area.h"
+
+#include "core/warp.h"
+
+namespace umbral {
+
+AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std::vector<Texture>& textures)
+    : geometry_(&geometry), textures_(&textures), emitter_(emitter) {
+  if (emitter.instance != no_index) {
+    to_world_ = geometry.instances[emitter.instance].to_world;
+    from_world_ = geometry.instances[emitter.instance].from_world;
+  }
+  const Piece& piece = geometry.groups[emitter.group].pieces[emitter.piece];
+  if (piece.analytic != no_index) {
+    analytic_ = &geometry.analytics[piece.analytic];
+    to_world_ = to_world_ * analytic_->to_group;
+    from_world_ = inverse(to_world_);
+    area_ = std::visit([](const auto& shape) { return shape.area(); }, analytic_->shape);
+    return;
+  }
+  mesh_ = &geometry.meshes[piece.mesh];
+  std::vector<double> areas;
+  areas.reserve(mesh_->triangles.size());
+  for (const glm::uvec3& t : mesh_->triangles) {
+    const Vec3d a = world(mesh_->positions[t.x]);
+    areas.push_back(glm::length(cross(world(mesh_->positions[t.y]) - a, world(mesh_->positions[t.z]) - a)) / 2);
+    area_ += areas.back();
+  }
+  inverse_area_ = static_cast<float>(1 / area_);
+  if (!emitter.rectangle) {
+    triangles_ = Distribution1D(areas);
+    return;
+  }
+  const Rectangle& r = *emitter.rectangle;
+  rectangle_ = {Vec3(world(r.origin)), Vec3(to_world_.vector(Vec3d(r.edge_u))), Vec3(to_world_.vector(Vec3d(r.edge_v)))};
+  const Vec3d normal = cross(Vec3d(r.edge_u), Vec3d(r.edge_v));
+  rectangle_normal_ = Vec3(glm::normalize(from_world_.transposed(normal)));
+}
+
+Vec3d AreaLight::world(const Vec3& p) const { return to_world_.point(Vec3d(p)); }
+
+AreaLight::Point AreaLight::rectangle_point(const Vec2& u) const {
+  const Vec3 p = rectangle_.origin + u.x * rectangle_.edge_u + u.y * rectangle_.edge_v;
+  const Vec3 magnitude = glm::abs(rectangle_.origin) + glm::abs(rectangle_.edge_u) + glm::abs(rectangle_.edge_v);
+  return {p, rectangle_normal_, magnitude, u, 0};
+}
+
+AreaLight::Point AreaLight::mesh_point(const Vec2& u) const {
+  const Distribution1D::Draw draw = triangles_.sample(u.x);
+  const Vec2 b = square_to_triangle({draw.remainder, u.y});
+  const auto index = static_cast<std::uint32_t>(draw.index);
+  const glm::uvec3& t = mesh_->triangles[index];
+  const Vec3 &a = mesh_->positions[t.x], &e = mesh_->positions[t.y], &f = mesh_->positions[t.z];
+  const Vec3d p = world((1 - b.x - b.y) * a + b.x * e + b.y * f);
+  const Vec3d n = cross(Vec3d(e) - Vec3d(a), Vec3d(f) - Vec3d(a));
+  const Vec3 corners = glm::max(glm::abs(Vec3(world(a))), glm::max(glm::abs(Vec3(world(e))), glm::abs(Vec3(world(f)))));
+  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))), corners, interpolated_uv(*mesh_, index, b), 0};
+}
+
+AreaLight::Point AreaLight::analytic_point(const Vec2& u) const {
+  const SurfacePoint s = std::visit([&](const auto& shape) { return shape.sample(u); }, analytic_->shape);
+  const Vec3d p = to_world_.point(s.p);
+  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(s.n))), Vec3(glm::abs(p)), Vec2(s.uv), 0};
+}
+
+AreaLight::Point AreaLight::point(const Vec2& u) const {
+  Point point = analytic_ ? analytic_point(u) : emitter_.rectangle ? rectangle_point(u) : mesh_point(u);
+  point.pdf = area_pdf(point.n);
+  return point;
+}
+
+float AreaLight::area_pdf(const Vec3& n) const {
+  if (!analytic_) return inverse_area_;
+  // The normal before the map: n_world ∝ M⁻ᵀ n, so n ∝ Mᵀ n_world.
+  const Vec3d canonical = glm::normalize(to_world_.transposed(Vec3d(n)));
+  return static_cast<float>(1 / (area_ * area_stretch(to_world_, from_world_, canonical)));
+}
+
+std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const {
+  const Point q = point(u);
+  const Vec3 to_light = q.p - p;
+  const float distance = glm::length(to_light);
+  if (!(distance > 0)) return std::nullopt;
+  const Vec3 wi = to_light / distance;
+  const float cosine = -dot(wi, q.n);  // positive on the outer side
+  if (cosine == 0 || (cosine < 0 && !emitter_.two_sided)) return std::nullopt;
+  const Spectrum radiance = emission_at(q.uv);
+  const float pdf = q.pdf * sqr(distance) / std::abs(cosine);
+  if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
+  const float error = surface_error(q.magnitude, q.n);
+  // Built in place: a copy of what was just stored piece by piece would stall.
+  std::optional<LightSample> result(std::in_place);
+  result->wi = wi;
+  result->radiance = radiance;
+  result->pdf = pdf;
+  result->distance = distance;
+  result->target = q.p + (cosine < 0 ? -error : error) * q.n;
+  return result;
+}
+
+float AreaLight::pdf(const Surface& surface, const Vec3& wi, float distance) const {
+  const float cosine = -dot(wi, surface.ng);
+  if (cosine == 0 || (cosine < 0 && !emitter_.two_sided)) return 0;
+  return area_pdf(surface.ng) * sqr(distance) / std::abs(cosine);
+}
+
+Spectrum AreaLight::emission_at(const Vec2& uv) const {
+  if (emitter_.emission.is_constant()) return emitter_.emission.value;
+  return (*textures_)[index_of(emitter_.emission.map)].color(uv) * rgb(1, 1, 1);
+}
+
+Spectrum AreaLight::emitted(const Surface& surface, const Vec3& wo) const {
+  if (dot(wo, surface.ng) <= 0 && !emitter_.two_sided) return black;
+  return emission_at(surface.uv);
+}
+
+double AreaLight::power() const {
+  // Means over a grid of samples: exact for constant emission and even stretch; else it only weighs the choice.
+  constexpr int grid = 16;
+  double sum = 0;
+  for (int i = 0; i < grid * grid; ++i) {
+    const Vec2 u{(static_cast<float>(i % grid) + 0.5f) / grid, (static_cast<float>(i / grid) + 0.5f) / grid};
+    const Point q = point(u);
+    sum += luminance(emission_at(q.uv)) / q.pdf;
+  }
+  return sum / (grid * grid) * pi_d * (emitter_.two_sided ? 2 : 1);
+}
+
+}  // namespace umbral

@@ -1,0 +1,39 @@
+// Spot lights.
+#pragma once
+
+#include <optional>
+#include <tuple>
+
+#include "core/parameters.h"
+#include "scene/lights/light_sample.h"
+
+namespace umbral {
+
+// A point light whose intensity is full within cone_angle − edge_angle of its axis and goes to zero at cone_angle,
+// by the smooth step t²(3 − 2t) of the angle.
+struct SpotLight {
+  Vec3 position{0, 0, 0};
+  Vec3 target{0, 0, -1};
+  Spectrum intensity = grey(1);
+  float cone_angle = 30;
+  float edge_angle = 5;
+
+  static constexpr const char* kind = "spot";
+  static constexpr const char* doc = "a point that shines into a cone with a soft edge";
+  static constexpr auto parameters = std::tuple{
+      parameter<&SpotLight::position>("position", "world"),
+      parameter<&SpotLight::target>("target", "a point on its axis, world"),
+      parameter<&SpotLight::intensity>("intensity", "I on the axis, W/sr", non_negative),
+      parameter<&SpotLight::cone_angle>("cone_angle", "from the axis to where it ends, degrees",
+                                        Range{0, 180, true, false}),
+      parameter<&SpotLight::edge_angle>("edge_angle", "over which it fades, inside the cone, degrees",
+                                        Range{0, 180})};
+
+  std::optional<LightSample> sample(const Vec3& p) const;
+  double power() const;
+
+ private:
+  float falloff(float cos_angle) const;
+};
+
+}  // namespace umbral

@@ -1,0 +1,85 @@
+// Scene: all that a render asks about the world; immutable once it is built.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/distribution.h"
+#include "scene/accel.h"
+#include "scene/description.h"
+#include "scene/lights/lights.h"
+
+namespace umbral {
+
+class Scene {
+ public:
+  // `description` must be valid, as the readers make it. Builds in parallel.
+  explicit Scene(SceneDescription description);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  const CameraSettings& camera() const { return camera_; }
+
+  // The nearest surface that the ray meets, and whether it meets any.
+  std::optional<Hit> intersect(const Ray& ray) const { return accel_->intersect(ray); }
+  bool occluded(const Ray& ray) const { return accel_->occluded(ray); }
+
+  Surface surface(const Ray& ray, const Hit& hit) const { return geometry_.surface(ray, hit); }
+  Lobes bsdf(const Surface& surface) const {
+    return materials_[index_of(surface.material)].at(surface.uv, textures_);
+  }
+
+  // Radiance that leaves `surface` towards `wo` by emission; wo: unit, world, away from the surface.
+  Spectrum emitted(const Surface& surface, const Vec3& wo) const {
+    return surface.light == LightId::none ? black : area_light(surface.light).emitted(surface, wo);
+  }
+  // Radiance of the environment seen along `direction` (unit); black where there is none.
+  Spectrum background(const Vec3& direction) const {
+    return environment_ ? environment_->emitted(direction) : black;
+  }
+
+  std::size_t light_count() const { return lights_.size(); }
+  bool has_environment() const { return environment_ != nullptr; }
+
+  // One light, chosen in proportion to its power by u in [0, 1); none where there are no lights.
+  struct LightChoice {
+    LightId light;
+    float probability;
+  };
+  LightChoice choose_light(float u) const;
+
+  // A direction from `p` towards that light; none where it cannot shine on p.
+  std::optional<LightSample> sample_light(LightId light, const Vec3& p, const Vec2& u) const;
+
+  // The density, per solid angle, with which choose_light() and sample_light() together draw the direction `wi`
+  // that met `surface` (or the environment) from `distance` away. 0 where it is no light.
+  float light_pdf(const Surface& surface, const Vec3& wi, float distance) const;
+  float environment_pdf(const Vec3& wi) const;
+
+  // From `surface` to the sample; occluded() tells whether it arrives.
+  static Ray shadow_ray(const Surface& surface, const LightSample& sample);
+
+  float radius() const { return radius_; }  // of a sphere that holds the world; world units
+  std::size_t accel_bytes() const { return accel_->bytes(); }
+  // What the scene uses beyond plain triangles and constants, for the summary of a render.
+  std::vector<std::string> features() const;
+
+ private:
+  const AreaLight& area_light(LightId light) const { return std::get<AreaLight>(lights_[index_of(light)]); }
+  double power(const Light& light) const;
+
+  CameraSettings camera_;
+  std::vector<Texture> textures_;
+  std::vector<Material> materials_;
+  Geometry geometry_;
+  std::unique_ptr<Accel> accel_;
+  std::vector<Light> lights_;  // first the area lights, numbered as their emitters are
+  const EnvironmentLight* environment_ = nullptr;  // in lights_
+  Distribution1D light_choice_;
+  float radius_ = 0;
+};
+
+}  // namespace umbral

@@ -1,0 +1,110 @@
+// Callbacks: bounds and intersection of analytic shapes, stochastic alpha.
+#include "scene/user_geometry.h"
+
+#include <bit>
+#include <cmath>
+
+#include "core/hash.h"
+
+namespace umbral {
+namespace {
+
+const PieceContext& context_of(void* pointer) { return *static_cast<const PieceContext*>(pointer); }
+
+// Whether a ray meets the surface at `uv`. The random number is a hash of the place and the ray's direction:
+// another one for every ray, the same for the same ray, and the same in a scene of another size.
+bool is_met(const PieceContext& context, const Vec2& uv, const Vec2& place, const Vec3& d, std::uint32_t primitive) {
+  const Textured<float>& alpha = context.material->alpha;
+  const float opacity =
+      alpha.is_constant() ? alpha.value : (*context.textures)[index_of(alpha.map)].number(uv);
+  if (opacity >= 1) return true;
+  if (opacity <= 0) return false;
+  std::uint64_t hash = primitive;
+  for (const float x : {place.x, place.y, d.x / glm::length(d), d.y / glm::length(d)})
+    hash = hash_combine(hash, std::bit_cast<std::uint32_t>(x));
+  return unit_float(static_cast<std::uint32_t>(hash >> 32)) < opacity;
+}
+
+void alpha_filter(const RTCFilterFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  const PieceContext& context = context_of(args->geometryUserPtr);
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const Vec2 barycentric{hit->u, hit->v};
+  const Mesh& mesh = context.geometry->meshes[context.piece->mesh];
+  const Vec2 uv = interpolated_uv(mesh, hit->primID, barycentric);
+  const Vec3 d{ray->dir_x, ray->dir_y, ray->dir_z};
+  if (!is_met(context, uv, barycentric, d, hit->primID)) args->valid[0] = 0;
+}
+
+void user_bounds(const RTCBoundsFunctionArguments* args) {
+  const PieceContext& context = context_of(args->geometryUserPtr);
+  const PlacedShape& placed = context.geometry->analytics[context.piece->analytic];
+  const Bounds canonical = std::visit([](const auto& shape) { return shape.bounds(); }, placed.shape);
+  const Vec3d middle = placed.to_group.point((canonical.low + canonical.high) / 2.0);
+  const Vec3d half = (canonical.high - canonical.low) / 2.0;
+  const glm::dmat3& m = placed.to_group.linear;
+  const Vec3d reach = glm::dmat3(glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])) * half;
+  // Outwards by a few units in the last place, so that rounding to float loses nothing.
+  const Vec3d margin = 4.0 * std::numeric_limits<float>::epsilon() * (glm::abs(middle) + reach);
+  const Vec3 low(middle - reach - margin), high(middle + reach + margin);
+  *args->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
+}
+
+// The first t of the ray at which the shape is met, alpha considered.
+std::optional<float> first_hit(const PieceContext& context, const RTCRay& ray) {
+  const PlacedShape& placed = context.geometry->analytics[context.piece->analytic];
+  const Vec3d d_group(ray.dir_x, ray.dir_y, ray.dir_z);
+  const Vec3d o = placed.from_group.point({ray.org_x, ray.org_y, ray.org_z});
+  const Vec3d d = placed.from_group.vector(d_group);
+  double t_min = ray.tnear;
+  while (true) {
+    const std::optional<double> t =
+        std::visit([&](const auto& shape) { return shape.intersect(o, d, t_min, ray.tfar); }, placed.shape);
+    if (!t) return std::nullopt;
+    if (context.material->is_opaque()) return static_cast<float>(*t);
+    const Vec2 uv = std::visit([&](const auto& shape) { return Vec2(shape.nearest(o + *t * d).uv); }, placed.shape);
+    if (is_met(context, uv, uv, Vec3(d_group), 0)) return static_cast<float>(*t);
+    t_min = std::nextafter(*t, std::numeric_limits<double>::infinity());
+  }
+}
+
+void user_intersect(const RTCIntersectFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  auto* ray_hit = reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const std::optional<float> t = first_hit(context_of(args->geometryUserPtr), ray_hit->ray);
+  if (!t) return;
+  ray_hit->ray.tfar = *t;
+  ray_hit->hit.u = ray_hit->hit.v = 0;
+  ray_hit->hit.geomID = args->geomID;
+  ray_hit->hit.primID = args->primID;
+  ray_hit->hit.instID[0] = args->context->instID[0];
+}
+
+void user_occluded(const RTCOccludedFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  auto* ray = reinterpret_cast<RTCRay*>(args->ray);
+  if (first_hit(context_of(args->geometryUserPtr), *ray)) ray->tfar = -std::numeric_limits<float>::infinity();
+}
+
+void* user_pointer(const PieceContext& context) { return const_cast<PieceContext*>(&context); }
+
+}  // namespace
+
+RTCGeometry make_user_geometry(RTCDevice device, const PieceContext& context) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, 1);
+  rtcSetGeometryUserData(geometry, user_pointer(context));
+  rtcSetGeometryBoundsFunction(geometry, user_bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, user_intersect);
+  rtcSetGeometryOccludedFunction(geometry, user_occluded);
+  return geometry;
+}
+
+void set_alpha_filter(RTCGeometry geometry, const PieceContext& context) {
+  rtcSetGeometryUserData(geometry, user_pointer(context));
+  rtcSetGeometryIntersectFilterFunction(geometry, alpha_filter);
+  rtcSetGeometryOccludedFilterFunction(geometry, alpha_filter);
+}
+
+}  // namespace umbral
