@@ -1,0 +1,119 @@
+// The path loop.
+#include "integrators/path.h"
+
+namespace umbral {
+namespace {
+
+// The power heuristic w = p²/(p² + q²), written so that large densities do not overflow.
+float power_heuristic(float p, float q) {
+  if (!(p > 0)) return 0;
+  return 1 / (1 + sqr(q / p));
+}
+
+// Whether the shading and the true surface agree on which side `wi` leaves by.
+bool sides_agree(const Surface& surface, const Vec3& wi, const Vec3& local) {
+  return (dot(wi, surface.ng) > 0) == (local.z > 0);
+}
+
+// Probability to go on: the path's weight itself, so that paths that matter little end and the others weigh the
+// same; never below 1/20, which bounds the weight that a survivor gets, and never 1, so that light that is trapped
+// without loss (in glass beyond the critical angle, between perfect mirrors) ends too.
+float survival_probability(const Spectrum& throughput) {
+  return glm::clamp(max_component(throughput), 0.05f, 0.99f);
+}
+
+}  // namespace
+
+// How the path came to where it is: what multiple importance sampling needs to know of the last bounce.
+struct PathIntegrator::Arrival {
+  float pdf = 0;      // of the direction, per solid angle
+  bool delta = true;  // no light sample could have come this way: from the camera, or off a mirror
+};
+
+void PathIntegrator::describe(ParameterVisitor& visitor) { for_each_parameter(*this, visitor); }
+
+std::vector<std::string> PathIntegrator::bias_notes() const {
+  if (max_depth == 0) return {};
+  return {"max_depth = " + std::to_string(max_depth) + ": light of more bounces is missing"};
+}
+
+float PathIntegrator::light_weight(float light_pdf, float bsdf_pdf, bool delta) const {
+  if (delta || strategy == Strategy::light) return 1;
+  return strategy == Strategy::bsdf ? 0 : power_heuristic(light_pdf, bsdf_pdf);
+}
+
+float PathIntegrator::bsdf_weight(float bsdf_pdf, float light_pdf) const {
+  if (strategy == Strategy::mis) return power_heuristic(bsdf_pdf, light_pdf);
+  return strategy == Strategy::bsdf ? 1 : 0;
+}
+
+// Light that one sample of one light brings to a vertex, before the path's throughput; wo is local.
+Spectrum PathIntegrator::direct(const Scene& scene, const Surface& surface, const Lobes& lobe, const Vec3& wo,
+                                Sampler& sampler) const {
+  const Vec2 u = sampler.next2d();
+  const Scene::LightChoice choice = scene.choose_light(scene.light_count() > 1 ? sampler.next1d() : 0.0f);
+  const std::optional<LightSample> sample = scene.sample_light(choice.light, surface.p, u);
+  if (!sample) return black;
+  const Vec3 wi = surface.shading.to_local(sample->wi);
+  if (!sides_agree(surface, sample->wi, wi)) return black;
+  const Spectrum f_cos = umbral::f_cos(lobe, wo, wi);
+  if (is_black(f_cos)) return black;
+  const float light_pdf = choice.probability * sample->pdf;
+  const float weight = light_weight(light_pdf, umbral::pdf(lobe, wo, wi), sample->delta);
+  if (weight == 0 || is_black(sample->radiance)) return black;
+  if (scene.occluded(Scene::shadow_ray(surface, *sample))) return black;
+  return f_cos * sample->radiance * (weight / light_pdf);
+}
+
+Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sampler& sampler,
+                                  std::span<Spectrum> layers) const {
+  Ray ray = camera_ray;
+  Spectrum result = black, throughput = white;
+  Arrival arrival;
+  const auto add = [&](const Spectrum& light, int bounces) {
+    result += light;
+    if (!layers.empty()) layers[static_cast<std::size_t>(std::min(bounces, 2))] += light;
+  };
+
+  for (int bounces = 0;; ++bounces) {
+    const std::optional<Hit> hit = scene.intersect(ray);
+    if (!hit) {
+      if (!scene.has_environment()) break;
+      const float weight = arrival.delta ? 1 : bsdf_weight(arrival.pdf, scene.environment_pdf(ray.d));
+      if (weight > 0) add(throughput * scene.background(ray.d) * weight, bounces);
+      break;
+    }
+
+    const Surface surface = scene.surface(ray, *hit);
+    if (surface.light != LightId::none) {
+      const float weight = arrival.delta ? 1 : bsdf_weight(arrival.pdf, scene.light_pdf(surface, ray.d, hit->t));
+      if (weight > 0) add(throughput * scene.emitted(surface, -ray.d) * weight, bounces);
+    }
+    if (max_depth > 0 && bounces == max_depth) break;
+
+    const Lobes lobe = scene.bsdf(surface);
+    const Vec3 wo = surface.shading.to_local(-ray.d);
+    if (scene.light_count() > 0 && !only_delta(lobe))
+      add(throughput * direct(scene, surface, lobe, wo, sampler), bounces + 1);
+
+    const Vec2 u = sampler.next2d();
+    const float u_lobe = has_choice(lobe) ? sampler.next1d() : 0.0f;
+    const std::optional<BsdfSample> sample = umbral::sample(lobe, wo, u_lobe, u);
+    if (!sample) break;
+    const Vec3 wi = surface.shading.to_world(sample->wi);
+    if (!sides_agree(surface, wi, sample->wi)) break;
+    throughput *= sample->weight;
+    if (is_black(throughput)) break;
+    if (bounces >= roulette_depth) {
+      const float survival = survival_probability(throughput);
+      if (sampler.next1d() >= survival) break;
+      throughput /= survival;
+    }
+    arrival = {sample->pdf, sample->delta};
+    ray.o = surface.origin_towards(wi);
+    ray.d = wi;
+  }
+  return result;
+}
+
+}  // namespace umbral
