@@ -1,0 +1,167 @@
+// The checks, one after the other.
+#include "formats/checks.h"
+
+#include <fmt/format.h>
+
+#include "formats/mesh_topology.h"
+#include "formats/shape_bounds.h"
+
+namespace umbral {
+namespace {
+
+std::string name_of(const Shape& shape) {
+  const std::string kind = std::visit([](const auto& value) { return std::string(value.kind); }, shape.kind);
+  return shape.name.empty() ? kind : fmt::format("{} '{}'", kind, shape.name);
+}
+
+class SceneChecks {
+ public:
+  SceneChecks(SceneBuilder& scene, const Place& place) : scene_(scene), place_(place) {}
+
+  void run() {
+    check_lights();
+    check_materials();
+    const auto check_list = [&](const ShapeList& list) {
+      for (std::size_t i = 0; i < list.shapes.size(); ++i) check_shape(list.shapes[i], list.places[i]);
+    };
+    check_list(scene_.world);
+    for (const ObjectDraft& object : scene_.objects) check_list(object.content);
+    for_each_placed([&](const Shape& shape, const Place& place, const Affine& to_world) {
+      check_camera(shape, place, to_world);
+      check_distance(shape, place, to_world);
+    });
+    report_far();
+  }
+
+ private:
+  template <class Visit>
+  void for_each_placed(Visit&& visit) const;
+  void check_lights();
+  void check_materials();
+  void check_shape(const Shape& shape, const Place& place);
+  void check_camera(const Shape& shape, const Place& place, const Affine& to_world);
+  void check_distance(const Shape& shape, const Place& place, const Affine& to_world);
+  void report_far();
+  Spectrum highest_color(const Textured<Spectrum>& value) const;
+  bool shines(const Shape& shape) const { return max_component(highest_color(shape.emission)) > 0; }
+  void warn(const Place& place, std::string message) {
+    scene_.diagnostics.warning(place, std::move(message));
+  }
+
+  SceneBuilder& scene_;
+  const Place& place_;
+  std::size_t far_count_ = 0;
+  std::string far_example_;
+  Place far_place_;
+};
+
+template <class Visit>
+void SceneChecks::for_each_placed(Visit&& visit) const {
+  const auto visit_list = [&](const ShapeList& list, const Affine& to_world) {
+    for (std::size_t i = 0; i < list.shapes.size(); ++i) visit(list.shapes[i], list.places[i], to_world);
+  };
+  visit_list(scene_.world, Affine{});
+  for (const Instance& instance : scene_.instances)
+    visit_list(scene_.objects[index_of(instance.object)].content, instance.to_world);
+}
+
+Spectrum SceneChecks::highest_color(const Textured<Spectrum>& value) const {
+  return value.is_constant() ? value.value : scene_.textures[index_of(value.map)].color_bounds().high;
+}
+
+void SceneChecks::check_lights() {
+  bool any = !scene_.lights.empty() || scene_.environment;
+  for_each_placed([&](const Shape& shape, const Place&, const Affine&) { any = any || shines(shape); });
+  if (!any) warn(place_, "there is no light: no shape emits, and there are no 'lights'");
+}
+
+// kd and ks where textures may replace them, at their highest.
+void SceneChecks::check_materials() {
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+    const Material& material = scene_.materials[i];
+    const auto* lobe = std::get_if<BlinnPhong>(&material.lobe);
+    if (!lobe) continue;
+    Textured<Spectrum> kd{lobe->kd}, ks{lobe->ks};
+    for (const TexturedParameter& map : material.maps) {
+      if (map.set == detail::set_from_texture<&BlinnPhong::kd>) kd.map = map.texture;
+      if (map.set == detail::set_from_texture<&BlinnPhong::ks>) ks.map = map.texture;
+    }
+    const float sum = max_component(highest_color(kd) + highest_color(ks));
+    const char* reach = kd.is_constant() && ks.is_constant() ? "is" : "may reach";
+    if (sum > 1.0001f)
+      warn(
+          scene_.material_places[i],
+          fmt::format(
+              "material '{}': kd + ks {} {:.3g}; where it passes 1 both are scaled down so that no energy is "
+              "made",
+              material.name, reach, sum));
+  }
+}
+
+void SceneChecks::check_shape(const Shape& shape, const Place& place) {
+  const Material& material = scene_.materials[index_of(shape.material)];
+  if (std::holds_alternative<Dielectric>(material.lobe)) {
+    const auto* mesh = std::get_if<Mesh>(&shape.kind);
+    const bool flat =
+        std::holds_alternative<Rectangle>(shape.kind) || std::holds_alternative<Disk>(shape.kind);
+    if (flat || (mesh && !is_closed(*mesh)))
+      warn(place, fmt::format("{} is of dielectric '{}' but is not closed: it has no inside", name_of(shape),
+                              material.name));
+  }
+  if (shape.emits() && !shines(shape))
+    warn(place, fmt::format("the emission of {} is black", name_of(shape)));
+  if (shape.emits() && !material.is_opaque())
+    warn(place, fmt::format("{} emits, but its material '{}' is not opaque", name_of(shape), material.name));
+}
+
+void SceneChecks::check_camera(const Shape& shape, const Place& place, const Affine& to_world) {
+  if (!scene_.has_camera) return;
+  const Affine map = to_world * shape.to_world;
+  const Vec3d eye(scene_.camera.position);
+  const bool inside = std::visit(
+      [&](const auto& kind) {
+        using Kind = std::decay_t<decltype(kind)>;
+        if constexpr (std::is_same_v<Kind, Mesh>) {
+          return holds(bounds_of(shape, to_world), eye) && encloses(kind, inverse(map).point(eye));
+        } else if constexpr (std::is_same_v<Kind, Box>) {
+          return holds({Vec3d(kind.low), Vec3d(kind.high)}, inverse(map).point(eye));
+        } else if constexpr (std::is_same_v<Kind, Sphere>) {
+          return glm::length(inverse(map * kind.placement()).point(eye)) < 1;
+        } else if constexpr (std::is_same_v<Kind, Torus>) {
+          const Vec3d p = inverse(map).point(eye);
+          const double from_ring = glm::length(glm::dvec2(p)) - static_cast<double>(kind.major_radius);
+          return glm::length(glm::dvec2(from_ring, p.z)) < static_cast<double>(kind.minor_radius);
+        } else {
+          return false;
+        }
+      },
+      shape.kind);
+  if (inside) warn(place, fmt::format("the camera is inside {}", name_of(shape)));
+}
+
+// Points are exact to 32 units in the last place of their coordinates (surface_error()). A simple shape bears
+// an error of a hundredth of its size; what a mesh shows is finer than the mesh.
+void SceneChecks::check_distance(const Shape& shape, const Place& place, const Affine& to_world) {
+  const Bounds bounds = bounds_of(shape, to_world);
+  const Vec3d far = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+  const double error = 32 * 0x1p-23 * std::max({far.x, far.y, far.z});
+  const double share = error / glm::length(bounds.high - bounds.low);
+  if (!(share > (std::holds_alternative<Mesh>(shape.kind) ? 1e-3 : 1e-2))) return;
+  if (far_count_++ > 0) return;
+  far_place_ = place;
+  far_example_ =
+      fmt::format("{} is so far from the origin that its points are exact only to {:.2g} of its size",
+                  name_of(shape), share);
+}
+
+void SceneChecks::report_far() {
+  if (far_count_ == 0) return;
+  const std::string others = far_count_ > 1 ? fmt::format(" (so are {} more shapes)", far_count_ - 1) : "";
+  warn(far_place_, far_example_ + others + "; move the scene nearer to the origin");
+}
+
+}  // namespace
+
+void check_scene(SceneBuilder& scene, const Place& place) { SceneChecks(scene, place).run(); }
+
+}  // namespace umbral

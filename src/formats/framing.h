@@ -1,0 +1,16 @@
+// A camera and a light for files that bring none.
+#pragma once
+
+#include "formats/scene_builder.h"
+
+namespace umbral {
+
+// Looks along −z at the middle of the box, so that its front face fills most of the image. `aspect` is width
+// over height.
+CameraSettings framing_camera(const Bounds& bounds, double aspect);
+
+// Gives the scene that camera if it has none of its own, and a constant white environment if `light` is set
+// and it has no light; both are told as warnings at `place`.
+void complete_scene(SceneBuilder& scene, double aspect, bool light, const Place& place);
+
+}  // namespace umbral

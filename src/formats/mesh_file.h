@@ -1,0 +1,22 @@
+// Meshes from files, told apart by the ending of their name.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "formats/scene_builder.h"
+
+namespace umbral {
+
+enum class FileKind { toml, obj, ply, unknown };
+
+// By the name's ending, in capitals or not.
+FileKind file_kind(const std::filesystem::path& path);
+
+// All triangles of a PLY or OBJ file as one mesh, as they stand in the file: not yet cleaned. None if that
+// fails, which has been told, at `place` if the file cannot be opened.
+std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem::path& path,
+                                   const Place& place);
+
+}  // namespace umbral

@@ -1,0 +1,49 @@
+// Textures of MTL files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/obj/mtl_reader.h"
+#include "formats/scene_builder.h"
+
+namespace umbral {
+
+// What is to be told of a material, together.
+using Notes = std::vector<std::string>;
+
+struct MtlTextureUse {
+  const char* key;  // "map_Kd"
+  float factor = 1;
+  ColorSpace space = ColorSpace::automatic;
+  TextureChannel channel = TextureChannel::luminance;
+  Range range = zero_to_one;  // what its values must keep
+};
+
+// Reads images of MTL files and makes textures from them.
+class MtlTextures {
+ public:
+  MtlTextures(SceneBuilder& builder, const std::filesystem::path& folder, Notes& notes)
+      : builder_(builder), folder_(folder), notes_(notes) {}
+
+  // The image of the map; null where it cannot be read, which is told once. Paths with backslashes and paths
+  // that only existed elsewhere are looked for by their last part.
+  std::shared_ptr<const TextureImage> image(const MtlMap& map, ColorSpace space);
+
+  // A texture of that image. A value that leaves the range is told as an error: then none.
+  std::optional<TextureId> texture(const MtlMap& map, std::shared_ptr<const TextureImage> image,
+                                   const MtlTextureUse& use);
+
+ private:
+  std::filesystem::path found(const MtlMap& map);
+
+  SceneBuilder& builder_;
+  const std::filesystem::path& folder_;
+  Notes& notes_;
+  std::map<const MtlMap*, std::shared_ptr<const TextureImage>> images_;
+};
+
+}  // namespace umbral

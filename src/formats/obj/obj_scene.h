@@ -1,0 +1,27 @@
+// OBJ files with their MTL materials as shapes of a scene.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/scene_builder.h"
+
+namespace umbral {
+
+// Which of our own materials stand in the place of the file's. Emission stays the file's.
+struct MaterialOverrides {
+  std::optional<MaterialId> all;
+  std::map<std::string, MaterialId> by_name;  // of the file's materials
+};
+
+// Appends the shapes of an OBJ file, one for each material (and one more for its faces without normals, where
+// others have some), and adds its materials. What is wrong is told to the builder's diagnostics, at `place`
+// if the file cannot be opened. Returns the names of the materials that its faces ask for.
+std::vector<std::string> add_obj(SceneBuilder& builder, const std::filesystem::path& path, const Place& place,
+                                 const Affine& to_world, const MaterialOverrides& overrides,
+                                 ShapeList& shapes);
+
+}  // namespace umbral

@@ -1,0 +1,176 @@
+// Vertices and faces from the body of a PLY file.
+#include "formats/ply/ply_reader.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "formats/ply/ply_values.h"
+#include "formats/triangulate.h"
+
+namespace umbral {
+namespace {
+
+// Where a value of a vertex goes: 0 … 2 position, 3 … 5 normal, 6 and 7 uv.
+constexpr std::size_t slots = 8, no_slot = slots;
+
+std::size_t slot_of(const std::string& property) {
+  static constexpr std::array<const char*, slots> names{"x", "y", "z", "nx", "ny", "nz", "u", "v"};
+  static constexpr std::array<std::array<const char*, 2>, 3> other_uvs{
+      {{"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
+  for (std::size_t i = 0; i < slots; ++i)
+    if (property == names[i]) return i;
+  for (const auto& uv : other_uvs)
+    for (std::size_t i = 0; i < 2; ++i)
+      if (property == uv[i]) return 6 + i;
+  return no_slot;
+}
+
+template <class Values>
+class BodyReader {
+ public:
+  explicit BodyReader(Values values) : values_(std::move(values)) {}
+
+  Mesh read(const PlyHeader& header, std::vector<std::string>& warnings);
+
+ private:
+  double value(PlyType type, const PlyElement& element, std::uint64_t index);
+  std::uint64_t list_length(const PlyProperty& list, const PlyElement& element, std::uint64_t index);
+  void skip_property(const PlyProperty& property, const PlyElement& element, std::uint64_t index);
+  void read_vertices(const PlyElement& element);
+  void read_faces(const PlyElement& element);
+  void read_polygon(const PlyProperty& list, const PlyElement& element, std::uint64_t face);
+
+  Values values_;
+  Mesh mesh_;
+  std::vector<std::uint32_t> polygon_;
+  std::size_t small_faces_ = 0;
+};
+
+template <class Values>
+double BodyReader<Values>::value(PlyType type, const PlyElement& element, std::uint64_t index) {
+  double number = 0;
+  if (!values_.next(type, number))
+    values_.fail(
+        fmt::format("the file ends or is broken in '{}' {} of {}", element.name, index + 1, element.count));
+  return number;
+}
+
+template <class Values>
+std::uint64_t BodyReader<Values>::list_length(const PlyProperty& list, const PlyElement& element,
+                                              std::uint64_t index) {
+  const double length = value(list.count_type, element, index);
+  if (!(length >= 0 && length < 4294967296.0 && length == std::floor(length)))
+    values_.fail(fmt::format("a list in '{}' {} cannot have {} entries", element.name, index + 1, length));
+  return static_cast<std::uint64_t>(length);
+}
+
+template <class Values>
+void BodyReader<Values>::skip_property(const PlyProperty& property, const PlyElement& element,
+                                       std::uint64_t index) {
+  const std::uint64_t count = property.is_list ? list_length(property, element, index) : 1;
+  for (std::uint64_t i = 0; i < count; ++i) value(property.type, element, index);
+}
+
+template <class Values>
+void BodyReader<Values>::read_vertices(const PlyElement& element) {
+  std::vector<std::size_t> targets;
+  std::array<bool, slots> has{};
+  for (const PlyProperty& property : element.properties) {
+    targets.push_back(property.is_list ? no_slot : slot_of(property.name));
+    if (targets.back() != no_slot) has[targets.back()] = true;
+  }
+  if (!has[0] || !has[1] || !has[2]) values_.fail("the vertices have no x, y and z");
+  const bool normals = has[3] && has[4] && has[5], uvs = has[6] && has[7];
+  mesh_.positions.reserve(element.count);
+  if (normals) mesh_.normals.reserve(element.count);
+  if (uvs) mesh_.uvs.reserve(element.count);
+  std::array<float, slots> v{};
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      if (targets[k] == no_slot)
+        skip_property(element.properties[k], element, i);
+      else
+        v[targets[k]] = static_cast<float>(value(element.properties[k].type, element, i));
+    }
+    mesh_.positions.push_back({v[0], v[1], v[2]});
+    if (!is_finite(mesh_.positions.back())) values_.fail(fmt::format("vertex {} is not finite", i));
+    if (normals) mesh_.normals.push_back({v[3], v[4], v[5]});
+    if (uvs) mesh_.uvs.push_back({v[6], v[7]});
+  }
+}
+
+template <class Values>
+void BodyReader<Values>::read_polygon(const PlyProperty& list, const PlyElement& element,
+                                      std::uint64_t face) {
+  polygon_.clear();
+  const std::uint64_t corners = list_length(list, element, face);
+  for (std::uint64_t i = 0; i < corners; ++i) {
+    const double index = value(list.type, element, face);
+    if (!(index >= 0 && index < static_cast<double>(mesh_.positions.size())) || index != std::floor(index))
+      values_.fail(fmt::format("face {} names vertex {}, but there are {} vertices, numbered from 0", face,
+                               index, mesh_.positions.size()));
+    polygon_.push_back(static_cast<std::uint32_t>(index));
+  }
+  if (corners < 3)
+    ++small_faces_;
+  else if (!triangulate(polygon_, mesh_.positions, mesh_.triangles))
+    values_.fail(
+        fmt::format("face {} is concave and has more than {} corners", face, largest_concave_polygon));
+}
+
+template <class Values>
+void BodyReader<Values>::read_faces(const PlyElement& element) {
+  std::optional<std::size_t> indices = element.find("vertex_indices");
+  if (!indices) indices = element.find("vertex_index");
+  if (!indices || !element.properties[*indices].is_list)
+    values_.fail("the faces have no list 'vertex_indices'");
+  mesh_.triangles.reserve(element.count);
+  for (std::uint64_t face = 0; face < element.count; ++face)
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+      if (k == *indices)
+        read_polygon(element.properties[k], element, face);
+      else
+        skip_property(element.properties[k], element, face);
+    }
+}
+
+template <class Values>
+Mesh BodyReader<Values>::read(const PlyHeader& header, std::vector<std::string>& warnings) {
+  bool has_faces = false;
+  for (const PlyElement& element : header.elements) {
+    if (element.properties.empty()) continue;
+    if (element.name == "vertex") {
+      read_vertices(element);
+    } else if (element.name == "face") {
+      read_faces(element);
+      has_faces = true;
+    } else {
+      warnings.push_back(fmt::format("not used: {} elements '{}'", element.count, element.name));
+      for (std::uint64_t i = 0; i < element.count; ++i)
+        for (const PlyProperty& property : element.properties) skip_property(property, element, i);
+    }
+  }
+  if (!has_faces) values_.fail("the file has no faces");
+  if (small_faces_ > 0)
+    warnings.push_back(fmt::format("not used: {} faces of fewer than 3 corners", small_faces_));
+  return std::move(mesh_);
+}
+
+}  // namespace
+
+Mesh read_ply(const std::shared_ptr<const SourceText>& source, std::vector<std::string>& warnings) {
+  TextCursor in(source->text());
+  const PlyHeader header = parse_ply_header(in, source);
+  switch (header.format) {
+    case PlyFormat::ascii:
+      return BodyReader(AsciiPlyValues(in, source)).read(header, warnings);
+    case PlyFormat::binary_little_endian:
+      return BodyReader(BinaryPlyValues<std::endian::little>(in, source)).read(header, warnings);
+    case PlyFormat::binary_big_endian:
+      return BodyReader(BinaryPlyValues<std::endian::big>(in, source)).read(header, warnings);
+  }
+  return {};
+}
+
+}  // namespace umbral

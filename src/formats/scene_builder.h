@@ -1,0 +1,70 @@
+// SceneBuilder: a scene in the making, with the place in the files that each part came from.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "formats/diagnostics.h"
+#include "formats/input_files.h"
+#include "scene/description.h"
+
+namespace umbral {
+
+// Shapes that stand together, in the world or in an object.
+struct ShapeList {
+  std::vector<Shape> shapes;
+  std::vector<Place> places;  // one a shape
+
+  void add(Shape shape, Place place) {
+    shapes.push_back(std::move(shape));
+    places.push_back(std::move(place));
+  }
+};
+
+struct ObjectDraft {
+  std::string name;
+  ShapeList content;
+};
+
+class SceneBuilder {
+ public:
+  SceneBuilder(Diagnostics& diagnostics_, InputFiles& files_) : diagnostics(diagnostics_), files(files_) {}
+
+  Diagnostics& diagnostics;
+  InputFiles& files;
+
+  CameraSettings camera;
+  bool has_camera = false;
+  std::vector<Texture> textures;  // prepared
+  std::vector<Material> materials;
+  std::vector<Place> material_places;  // one a material
+  ShapeList world;
+  std::vector<ObjectDraft> objects;
+  std::vector<Instance> instances;
+  std::vector<LightKinds> lights;
+  std::optional<EnvironmentLight> environment;  // prepared
+
+  TextureId add(Texture texture);
+  MaterialId add(Material material, Place place);
+
+  // What emitters reflect where they name no material: nothing.
+  MaterialId black_material();
+
+  // The image of that file, loaded once however often it is asked for. Repairs become warnings at `place`.
+  // Throws SceneError if the file cannot be read.
+  std::shared_ptr<const TextureImage> image(const std::filesystem::path& file, ColorSpace space,
+                                            const Place& place);
+
+  // Moves everything out.
+  SceneDescription finish();
+
+ private:
+  MaterialId black_ = MaterialId::none;
+  std::map<std::pair<std::filesystem::path, ColorSpace>, std::shared_ptr<const TextureImage>> images_;
+};
+
+}  // namespace umbral

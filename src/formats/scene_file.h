@@ -1,0 +1,40 @@
+// From a file to a SceneDescription and the settings of its render.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "scene/description.h"
+#include "scene/parameter_visitor.h"
+#include "scene/settings.h"
+
+namespace umbral {
+
+// The part of a scene file whose kinds the readers do not know: the integrators. `[integrator] type` must be
+// one of `kinds`; for each of them, `read` is called with a visitor over the table [integrator.KIND], empty
+// where the file has none, so that one file can hold the settings of several.
+struct IntegratorKinds {
+  std::vector<std::string> kinds;
+  std::string default_kind;
+  std::function<void(const std::string& kind, ParameterVisitor& visitor)> read;
+};
+
+struct SceneFile {
+  SceneDescription scene;
+  FilmSettings film;
+  SamplingSettings sampling;
+  std::string integrator;            // the kind chosen
+  std::vector<Diagnostic> warnings;  // legal but doubtful, and what was repaired
+  std::uint64_t hash = 0;            // of the bytes of the file and of every file it names
+};
+
+// Reads a .toml scene, or an .obj or .ply file as a scene by itself (framed by an automatic camera and lit by
+// a constant white environment where it has no light, both told in the warnings). Throws SceneError with
+// *every* error found.
+SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators);
+
+}  // namespace umbral

@@ -1,0 +1,31 @@
+// LightReader: the lights of a document that are no shapes.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "formats/scene_builder.h"
+#include "formats/toml/table_reader.h"
+
+namespace umbral::toml_file {
+
+class LightReader {
+ public:
+  // Files are relative to `folder`.
+  LightReader(const Context& context, SceneBuilder& builder, std::filesystem::path folder)
+      : context_(context), builder_(builder), folder_(std::move(folder)) {}
+
+  // Reads a list [[lights]].
+  void read(const Value& list);
+
+ private:
+  void read_light(const Value& item, const Value::Table& entries);
+  void read_environment(TableReader& table);
+
+  const Context& context_;
+  SceneBuilder& builder_;
+  std::filesystem::path folder_;
+  std::optional<int> environment_line_;
+};
+
+}  // namespace umbral::toml_file

@@ -1,0 +1,79 @@
+// Reading, naming and range-checking of textures.
+#include "formats/toml/texture_library.h"
+
+#include <fmt/format.h>
+
+#include "core/kinds.h"
+#include "formats/toml/parameter_reader.h"
+
+namespace umbral::toml_file {
+
+void TextureLibrary::read_section(const Value& section) {
+  named_.read_section(section, [&](const Entry& entry, const Value::Table& table) {
+    return read(table, entry.key, context_.place(entry));
+  });
+}
+
+std::optional<TextureId> TextureLibrary::read(const Value::Table& table, std::string name,
+                                              const Place& place) {
+  TableReader reader(context_, &table, "texture", place);
+  const auto kind = reader.find_kind("texture", kind_names<TextureKinds>());
+  if (!kind) return std::nullopt;
+  reader.rename(*kind);
+  Texture texture{std::move(name), *make_kind<TextureKinds>(*kind)};
+  ParameterReader parameters(reader, nullptr);
+  const bool good = std::visit(
+      [&](auto& value) {
+        for_each_parameter(value, parameters);
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, ImageTexture>)
+          return load_image(value, reader);
+        return true;
+      },
+      texture.kind);
+  reader.finish();
+  if (!good) return std::nullopt;
+  texture.prepare();
+  return builder_.add(std::move(texture));
+}
+
+bool TextureLibrary::load_image(ImageTexture& texture, TableReader& table) {
+  if (texture.file.empty()) return false;
+  const Place place = context_.place(*table.find("file"));
+  try {
+    texture.image = builder_.image((folder_ / texture.file).lexically_normal(), texture.color_space, place);
+  } catch (const SceneError& error) {
+    context_.diagnostics.error(place, error);
+  }
+  return texture.image != nullptr;
+}
+
+std::optional<TextureId> TextureLibrary::find(const Value& value, const ParameterInfo& info, bool as_color) {
+  const auto* table = value.as<Value::Table>();
+  const auto id = table ? read(*table, "", context_.place(value)) : named_.find(value);
+  if (!id || !keeps_range(value, info, builder_.textures[index_of(*id)], as_color)) return std::nullopt;
+  return id;
+}
+
+bool TextureLibrary::keeps_range(const Value& value, const ParameterInfo& info, const Texture& texture,
+                                 bool as_color) const {
+  Range reached;
+  if (as_color) {
+    const TextureBounds bounds = texture.color_bounds();
+    reached = {min_component(bounds.low), max_component(bounds.high)};
+  } else {
+    reached = texture.number_bounds();
+  }
+  const Range& range = info.range;
+  const auto report = [&](float at, float limit, const char* side) {
+    const std::string name = texture.name.empty() ? "its texture" : fmt::format("texture '{}'", texture.name);
+    context_.error(value, fmt::format("'{}' must be {}, but {} reaches {} ({} too {})", info.name,
+                                      range_text(range), name, at, std::abs(at - limit), side));
+  };
+  const bool below = reached.low < range.low || (range.low_open && reached.low == range.low);
+  const bool above = reached.high > range.high || (range.high_open && reached.high == range.high);
+  if (below) report(reached.low, range.low, "low");
+  if (above) report(reached.high, range.high, "high");
+  return !below && !above;
+}
+
+}  // namespace umbral::toml_file

@@ -1,0 +1,42 @@
+// TextureLibrary: the textures of a document, by name or written where they are used.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "formats/scene_builder.h"
+#include "formats/toml/name_table.h"
+#include "formats/toml/table_reader.h"
+
+namespace umbral::toml_file {
+
+class TextureLibrary {
+ public:
+  // Image files are relative to `folder`.
+  TextureLibrary(const Context& context, SceneBuilder& builder, std::filesystem::path folder)
+      : context_(context), builder_(builder), folder_(std::move(folder)), named_(context, "texture") {}
+
+  // Reads the section [textures].
+  void read_section(const Value& section);
+
+  // The texture that `value` names or holds, for the parameter `info`, whose range its values must keep.
+  // None where it is no good, which has been told.
+  std::optional<TextureId> find(const Value& value, const ParameterInfo& info, bool as_color);
+
+  // Tells the named textures that nothing used.
+  void report_unused() const { named_.report_unused(); }
+
+ private:
+  std::optional<TextureId> read(const Value::Table& table, std::string name, const Place& place);
+  bool load_image(ImageTexture& texture, TableReader& table);
+  bool keeps_range(const Value& value, const ParameterInfo& info, const Texture& texture,
+                   bool as_color) const;
+
+  const Context& context_;
+  SceneBuilder& builder_;
+  std::filesystem::path folder_;
+  NameTable<TextureId> named_;
+};
+
+}  // namespace umbral::toml_file
