@@ -1,0 +1,24 @@
+// `umbral check`: every error of a scene file at once, and what is legal but doubtful.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/load_scene.h"
+
+namespace umbral {
+
+void add_check_command(CLI::App& app, int& exit_code) {
+  CLI::App* check = app.add_subcommand("check", "list every error and every doubt in a scene");
+  auto path = std::make_shared<std::string>();
+  check->add_option("scene", *path, "the scene file")->required();
+  check->callback([path, &exit_code] {
+    const LoadedScene loaded = load_scene(*path);
+    for (const Diagnostic& warning : loaded.file.warnings) fmt::print("{}\n", warning.text());
+    const std::size_t warnings = loaded.file.warnings.size();
+    fmt::print("{}: no errors, {} {}\n", *path, warnings, warnings == 1 ? "warning" : "warnings");
+    exit_code = exit_success;
+  });
+}
+
+}  // namespace umbral

@@ -1,0 +1,142 @@
+// `umbral help`: explains what a scene file may hold, from the tables that read it.
+#include <functional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/parameter_text.h"
+#include "core/error.h"
+#include "core/kinds.h"
+#include "core/names.h"
+#include "integrators/registry.h"
+#include "scene/description.h"
+#include "scene/settings.h"
+
+namespace umbral {
+namespace {
+
+// One thing that help can explain.
+struct Topic {
+  std::string group;  // "material", "shape", …
+  std::string kind;   // empty where the group has no kinds
+  std::string doc;
+  std::vector<ParameterText> parameters;
+};
+
+template <class T>
+Topic topic_of(const std::string& group, T& object) {
+  ParameterTexts texts;
+  for_each_parameter(object, texts);
+  return {group, object.kind == group ? "" : object.kind, object.doc, texts.texts()};
+}
+
+template <class Variant>
+void add_kinds(const std::string& group, std::vector<Topic>& topics) {
+  for_each_kind<Variant>([&](auto&& object) { topics.push_back(topic_of(group, object)); });
+}
+
+void add_materials(std::vector<Topic>& topics) {
+  for_each_kind<Lobes>([&](const auto& lobe) {
+    Material material;
+    material.lobe = lobe;
+    ParameterTexts texts;
+    for_each_material_parameter(material, texts);
+    topics.push_back({"material", lobe.kind, lobe.doc, texts.texts()});
+  });
+}
+
+void add_shapes(std::vector<Topic>& topics) {
+  const std::vector<ParameterText> common{
+      {{"material", "name of a material; required"}, "text", ""},
+      {{"emission", "radiance that the outer side emits, W m⁻² sr⁻¹", non_negative}, "colour or texture", "0"},
+      {{"two_sided", "emits on the inner side too"}, "true or false", "false"},
+      {{"transform", "steps in order: {translate=[…]}, {scale=…}, {rotate={axis=[…], degrees=…}}, {matrix=[4 rows]}"},
+       "list",
+       "[]"},
+      {{"name", "for messages"}, "text", "\"\""}};
+  const std::size_t first = topics.size();
+  add_kinds<ShapeKinds>("shape", topics);
+  for (std::size_t i = first; i < topics.size(); ++i)
+    topics[i].parameters.insert(topics[i].parameters.end(), common.begin(), common.end());
+}
+
+std::vector<Topic> all_topics() {
+  std::vector<Topic> topics;
+  CameraSettings camera;
+  FilmSettings film;
+  SamplingSettings sampling;
+  topics.push_back(topic_of("camera", camera));
+  topics.push_back(topic_of("film", film));
+  topics.push_back(topic_of("sampling", sampling));
+  for (const IntegratorEntry& entry : integrators()) {
+    ParameterTexts texts;
+    entry.make()->describe(texts);
+    topics.push_back({"integrator", entry.kind, entry.doc, texts.texts()});
+  }
+  add_materials(topics);
+  add_kinds<TextureKinds>("texture", topics);
+  add_shapes(topics);
+  add_kinds<LightKinds>("light", topics);
+  EnvironmentLight environment;
+  topics.push_back(topic_of("light", environment));
+  return topics;
+}
+
+void print_topic(const Topic& topic) {
+  fmt::print("{}{}{}: {}\n", topic.group, topic.kind.empty() ? "" : " ", topic.kind, topic.doc);
+  for (const ParameterText& parameter : topic.parameters) {
+    const std::string range = range_text(parameter.info.range);
+    const std::string value = parameter.info.required ? "required" : "default " + parameter.value;
+    fmt::print("  {:<16} {}\n  {:<16} {}{}{}\n", parameter.info.name, parameter.info.doc, "", parameter.type,
+               range.empty() ? "" : ", " + range, parameter.value.empty() ? "" : ", " + value);
+  }
+}
+
+void print_overview(const std::vector<Topic>& topics) {
+  fmt::print("umbral help GROUP [KIND] explains what a scene file may hold:\n");
+  std::string group;
+  for (const Topic& topic : topics) {
+    if (topic.group != group) fmt::print("{}{}", group.empty() ? "" : "\n", fmt::format("  {:<12}", topic.group));
+    fmt::print(" {}", topic.kind.empty() ? topic.doc : topic.kind);
+    group = topic.group;
+  }
+  fmt::print("\numbral COMMAND --help explains a command: render, check, info, merge, help.\n");
+}
+
+void print_help(const std::string& group, const std::string& kind) {
+  const std::vector<Topic> topics = all_topics();
+  if (group.empty()) return print_overview(topics);
+  std::vector<std::string> groups, kinds;
+  bool printed = false;
+  for (const Topic& topic : topics) {
+    if (groups.empty() || groups.back() != topic.group) groups.push_back(topic.group);
+    if (topic.group != group) continue;
+    kinds.push_back(topic.kind);
+    if (!kind.empty() && topic.kind != kind) continue;
+    if (printed) fmt::print("\n");
+    print_topic(topic);
+    printed = true;
+  }
+  if (kinds.empty()) throw SceneError(Where{}, "there is no help on '" + group + "'" + suggestion(group, groups));
+  if (!printed) throw SceneError(Where{}, "there is no " + group + " '" + kind + "'" + suggestion(kind, kinds));
+}
+
+}  // namespace
+
+void add_help_command(CLI::App& app, int& exit_code) {
+  CLI::App* help = app.add_subcommand("help", "explain materials, textures, lights, shapes, integrators, …");
+  struct Arguments {
+    std::string group, kind;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  help->add_option("group", arguments->group, "material, texture, shape, light, integrator, camera, film, sampling");
+  help->add_option("kind", arguments->kind, "one of its kinds");
+  help->callback([arguments, &exit_code] {
+    print_help(arguments->group, arguments->kind);
+    exit_code = exit_success;
+  });
+}
+
+}  // namespace umbral

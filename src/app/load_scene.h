@@ -1,0 +1,29 @@
+// From a scene file's name to a scene and the integrator it asks for.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "formats/scene_file.h"
+#include "integrators/registry.h"
+
+namespace umbral {
+
+struct LoadedScene {
+  SceneFile file;
+  std::map<std::string, std::unique_ptr<Integrator>> integrators;  // by kind, each with the file's settings
+
+  Integrator& integrator(const std::string& kind) { return *integrators.at(kind); }
+};
+
+// Throws SceneError, as read_scene_file() does.
+LoadedScene load_scene(const std::string& path);
+
+// Takes the place of the scene's environment: a latitude-longitude image. Throws SceneError.
+void replace_environment(SceneFile& file, const std::string& image_path);
+
+// "path(max_depth = 0, …)".
+std::string integrator_text(const std::string& kind, Integrator& integrator);
+
+}  // namespace umbral

@@ -1,0 +1,56 @@
+// The program: picks the command and turns every error into one message and an exit code.
+#include <cstdio>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "core/error.h"
+#include "image/film_image.h"
+#include "umbral_version.h"
+
+namespace {
+
+int fail(int exit_code, const char* message) {
+  fmt::print(stderr, "umbral: {}\n", message);
+  return exit_code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"umbral: a Monte Carlo path tracer that knows its own error", "umbral"};
+  app.set_version_flag("--version", umbral::version);
+  app.require_subcommand(1);
+  int exit_code = umbral::exit_success;
+  umbral::add_render_command(app, exit_code);
+  umbral::add_check_command(app, exit_code);
+  umbral::add_info_command(app, exit_code);
+  umbral::add_merge_command(app, exit_code);
+  umbral::add_help_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? umbral::exit_success : umbral::exit_bad_input;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const umbral::SceneError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return umbral::exit_bad_input;
+  } catch (const umbral::CombineError& error) {
+    return fail(umbral::exit_bad_input, error.what());
+  } catch (const umbral::OutputError& error) {
+    return fail(umbral::exit_bad_output, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(umbral::exit_failure, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(umbral::exit_failure, error.what());
+  }
+}
