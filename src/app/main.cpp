@@ -1,4 +1,5 @@
 // The program: picks the command and turns every error into one message and an exit code.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -8,6 +9,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "core/error.h"
+#include "core/names.h"
 #include "image/film_image.h"
 #include "umbral_version.h"
 
@@ -18,16 +20,30 @@ int fail(int exit_code, const char* message) {
   return exit_code;
 }
 
+// CLI11 would only say that a command is required.
+void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw umbral::SceneError(umbral::Where{}, "there is no command '" + word + "'" + umbral::suggestion(word, names));
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"umbral: a Monte Carlo path tracer that knows its own error", "umbral"};
   app.set_version_flag("--version", umbral::version);
   app.require_subcommand(1);
+  app.footer("umbral COMMAND --help explains a command, umbral help what a scene file may hold.");
   int exit_code = umbral::exit_success;
   umbral::add_render_command(app, exit_code);
   umbral::add_check_command(app, exit_code);
   umbral::add_info_command(app, exit_code);
   umbral::add_merge_command(app, exit_code);
   umbral::add_help_command(app, exit_code);
+  if (argc < 2) {
+    fmt::print(stderr, "{}", app.help());
+    return umbral::exit_bad_input;
+  }
+  refuse_unknown_command(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

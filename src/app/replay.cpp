@@ -8,7 +8,7 @@ namespace umbral {
 std::string replayed_sample(const Scene& scene, Integrator& integrator, const RenderOptions& options, int x, int y,
                             std::uint64_t sample) {
   integrator.prepare(scene);
-  const auto replicates = static_cast<std::uint64_t>(replicate_count(options.sampling));
+  const auto replicates = static_cast<std::uint64_t>(replicate_count(options));
   const std::vector<std::string> names = integrator.layers();
   std::vector<Spectrum> layers(names.size(), black);
   const SampleId id{0, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),

@@ -10,8 +10,8 @@ namespace umbral {
 
 // f = kd/π + ks N(n) (n·h)ⁿ, h = (wo + wi)/|wo + wi| [Blinn 1977], with the norm
 // N(n) = (n + 2)(n + 4)/(8π(2^(−n/2) + n)) [Giesen 2009], for which the specular part reflects ks at normal
-// incidence, whatever the exponent, and less elsewhere. Where kd + ks > 1 in a channel, both are divided by the
-// sum there, so that no surface gains energy. `ka` serves the local model alone: no light is ambient in physics.
+// incidence, whatever the exponent, and no more elsewhere. Where kd + ks > 1 in a channel, both are divided by
+// the sum there, so that no surface gains energy. `ka` serves the local model alone: no light is ambient in physics.
 struct BlinnPhong {
   Spectrum kd = grey(0.5f);
   Spectrum ks = grey(0.0f);

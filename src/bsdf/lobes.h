@@ -1,9 +1,7 @@
-// The closed list of lobes. A new one is its own file and one line here.
+// The closed list of lobes (their names: core/kinds.h). A new one is its own file and one line here.
 #pragma once
 
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "bsdf/blinn_phong.h"
 #include "bsdf/dielectric.h"
@@ -19,12 +17,6 @@ constexpr bool all_are_bsdf_models(std::variant<T...>*) {
   return (BsdfModel<T> && ...);
 }
 static_assert(all_are_bsdf_models(static_cast<Lobes*>(nullptr)));
-
-// The names that materials have in a scene file, in the order of the list.
-std::vector<std::string> lobe_kinds();
-
-// A lobe of that kind with its default parameters; none if there is no such kind.
-std::optional<Lobes> make_lobe(const std::string& kind);
 
 // The operations of the concept, on whichever lobe it is.
 inline Spectrum f_cos(const Lobes& lobes, const Vec3& wo, const Vec3& wi) {

@@ -1,5 +1,4 @@
-// Diagnostics: every error and warning found while a scene is read, told together and in the order of the
-// files.
+// Diagnostics: every error and warning found while a scene is read, in the order of the files.
 #pragma once
 
 #include <string>

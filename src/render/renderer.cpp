@@ -25,7 +25,7 @@ FilmLayout film_layout(const Integrator& integrator, const RenderOptions& option
   layout.y0 = crop.y0;
   layout.x1 = crop.x1;
   layout.y1 = crop.y1;
-  layout.replicates = replicate_count(options.sampling);
+  layout.replicates = replicate_count(options);
   if (options.layers) layout.layers = integrator.layers();
   layout.auxiliary = options.auxiliary;
   return layout;
@@ -33,7 +33,7 @@ FilmLayout film_layout(const Integrator& integrator, const RenderOptions& option
 
 StopRule stop_rule(const RenderOptions& options) {
   StopRule rule;
-  const auto replicates = static_cast<std::uint64_t>(replicate_count(options.sampling));
+  const auto replicates = static_cast<std::uint64_t>(replicate_count(options));
   const auto spp = static_cast<std::uint64_t>(options.sampling.spp);
   if (options.spp_bounds) rule.samples = (spp + replicates - 1) / replicates;
   rule.seconds = options.seconds;
@@ -139,7 +139,10 @@ class Render {
 
 }  // namespace
 
-int replicate_count(const SamplingSettings& sampling) { return std::min(sampling.replicates, sampling.spp); }
+int replicate_count(const RenderOptions& options) {
+  const SamplingSettings& sampling = options.sampling;
+  return options.spp_bounds ? std::min(sampling.replicates, sampling.spp) : sampling.replicates;
+}
 
 RenderResult render(const Scene& scene, Integrator& integrator, const RenderOptions& options,
                     const RenderHooks& hooks) {

@@ -45,8 +45,8 @@ struct RenderResult {
   std::string stop_reason;  // in words
 };
 
-// How many replicates `sampling` gives: never more than samples.
-int replicate_count(const SamplingSettings& sampling);
+// How many replicates a render has: never more than samples, where these are bounded.
+int replicate_count(const RenderOptions& options);
 
 // A render's pixels depend on scene, settings and integrator alone: not on threads, tiles or passes, as long as
 // the same number of samples is reached.

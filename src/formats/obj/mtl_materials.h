@@ -9,13 +9,13 @@
 namespace umbral {
 
 // What an MTL material becomes:
-//   dielectric   'illum' 6 or 7 (refraction) with Ni > 1, or 4 or 9 (glass) that also lets light through (d, Tr, Tf);
-//                clear but for the hue of Tf, as Fresnel's equations say how much is reflected
-//   mirror       'illum' 3 or 5 (ray-traced reflection) where Ks outshines Kd; reflects Ks
+//   dielectric   where 'illum' is 6 or 7 (refraction) and Ni > 1, or 4 or 9 (glass) and some light also passes (d,
+//                Tr, Tf); clear but for the hue of Tf: Fresnel's equations say how much is reflected
+//   mirror       where 'illum' is 3 or 5 (ray-traced reflection) and Ks outshines Kd; reflects Ks
 //   blinn_phong  where Ks is not black and 'illum' not 0 or 1
 //   matte        else; Ka has no part in it
-// d or Tr, map_d or the alpha of map_Kd give its opacity. Maps are multiplied by the luminance of the colour they
-// belong to. All that is approximated or left out is told in one warning a material.
+// d or Tr, map_d or the alpha of map_Kd give its opacity. A map is multiplied by the luminance of the colour that
+// it belongs to. All that is approximated or left out is told in one warning a material.
 struct MtlLook {
   MaterialId material;
   Textured<Spectrum> emission{black};

@@ -49,6 +49,13 @@ Value converted(const toml::node& node) {
   return value;
 }
 
+// toml++ begins with what it was doing, which the excerpt shows.
+std::string without_preamble(std::string_view description) {
+  const std::size_t colon = description.find(": ");
+  const bool preamble = description.starts_with("Error while parsing") && colon != std::string_view::npos;
+  return std::string(preamble ? description.substr(colon + 2) : description);
+}
+
 }  // namespace
 
 std::optional<double> Value::number() const {
@@ -69,7 +76,8 @@ Value parse(const std::shared_ptr<const SourceText>& source) {
   } catch (const toml::parse_error& error) {
     const toml::source_position begin = error.source().begin;
     const Place place{{source->name(), static_cast<int>(begin.line), static_cast<int>(begin.column)}, source};
-    throw SceneError({{Severity::error, place.where, std::string(error.description()), place.excerpt()}});
+    throw SceneError(
+        {{Severity::error, place.where, without_preamble(error.description()), place.excerpt()}});
   }
 }
 

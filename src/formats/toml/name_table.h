@@ -54,9 +54,11 @@ class NameTable {
     if (!entries) return context_.error(section, fmt::format("write {0}s as [{0}s.NAME]", noun_));
     for (const Entry& entry : *entries) {
       const auto* table = entry.value.template as<Value::Table>();
-      if (!table)
+      if (!table) {
+        context_.parts_unread = true;
         context_.error(entry.value, fmt::format("{} '{}' must be a table, not {}", noun_, entry.key,
                                                 entry.value.type_name()));
+      }
       add(entry, table ? read(entry, *table) : std::nullopt);
     }
   }

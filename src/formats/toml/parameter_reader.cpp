@@ -27,6 +27,12 @@ const Value* ParameterReader::find(const ParameterInfo& info) {
   return value;
 }
 
+void ParameterReader::wrong_number(const ParameterInfo& info, const Value& value, double number,
+                                   const std::string& wanted) const {
+  table_.context().error(
+      value, fmt::format("'{}' of '{}' is {} but must be {}", info.name, table_.owner(), number, wanted));
+}
+
 bool ParameterReader::read_number(const ParameterInfo& info, const Value& value, float& number) {
   const std::optional<double> read = value.number();
   if (!read) {
@@ -35,8 +41,7 @@ bool ParameterReader::read_number(const ParameterInfo& info, const Value& value,
   }
   const auto rounded = static_cast<float>(*read);
   if (!info.range.contains(rounded)) {
-    table_.context().error(value, fmt::format("'{}' of '{}' is {} but must be {}", info.name, table_.owner(),
-                                              *read, range_text(info.range)));
+    wrong_number(info, value, *read, range_text(info.range));
     return false;
   }
   number = rounded;
@@ -58,7 +63,16 @@ bool ParameterReader::read_numbers(const ParameterInfo& info, const Value& value
   }
   glm::vec<N, float> read(0.0f);
   bool good = true;
-  for (int i = 0; i < N; ++i) good &= read_number(info, (*items)[static_cast<std::size_t>(i)], read[i]);
+  for (int i = 0; i < N; ++i) {
+    const Value& item = (*items)[static_cast<std::size_t>(i)];
+    if (item.number()) {
+      good &= read_number(info, item, read[i]);
+    } else {
+      table_.context().error(item, fmt::format("'{}' of '{}' must hold numbers, not {}", info.name,
+                                               table_.owner(), item.type_name()));
+      good = false;
+    }
+  }
   if (good) numbers = read;
   return good;
 }
@@ -113,12 +127,14 @@ std::optional<std::int64_t> ParameterReader::integer(const ParameterInfo& info) 
   if (!found) return std::nullopt;
   const auto* read = found->as<std::int64_t>();
   if (!read) {
-    table_.wrong_type(info.name, *found, found->number() ? "a whole number" : "a number");
+    if (const std::optional<double> number = found->number())
+      wrong_number(info, *found, *number, "a whole number");
+    else
+      table_.wrong_type(info.name, *found, "a whole number");
     return std::nullopt;
   }
   if (info.range.contains(static_cast<double>(*read))) return *read;
-  table_.context().error(*found, fmt::format("'{}' of '{}' is {} but must be {}", info.name, table_.owner(),
-                                             *read, range_text(info.range)));
+  wrong_number(info, *found, static_cast<double>(*read), range_text(info.range));
   return std::nullopt;
 }
 

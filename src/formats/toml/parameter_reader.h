@@ -32,6 +32,8 @@ class ParameterReader final : public ParameterVisitor {
  private:
   const Value* find(const ParameterInfo& info);
   std::optional<std::int64_t> integer(const ParameterInfo& info);
+  void wrong_number(const ParameterInfo& info, const Value& value, double number,
+                    const std::string& wanted) const;
   bool read_number(const ParameterInfo& info, const Value& value, float& number);
   bool read_color(const ParameterInfo& info, const Value& value, Spectrum& color);
   bool read_hex_color(const ParameterInfo& info, const Value& value, const std::string& text,

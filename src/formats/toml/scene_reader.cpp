@@ -104,10 +104,10 @@ void SceneReader::read_integrator(const IntegratorKinds& integrators, std::strin
 
 std::optional<MaterialId> SceneReader::read_material(const Entry& entry, const Value::Table& entries) {
   TableReader table(context_, &entries, "material", context_.place(entry));
-  const auto kind = table.find_kind("material", lobe_kinds());
+  const auto kind = table.find_kind("material", kind_names<Lobes>());
   if (!kind) return std::nullopt;
   table.rename(*kind);
-  Material material{entry.key, *make_lobe(*kind), {}, {1}};
+  Material material{entry.key, *make_kind<Lobes>(*kind), {}, {1}};
   ParameterReader parameters(table, &textures_);
   for_each_material_parameter(material, parameters);
   table.finish();

@@ -8,6 +8,13 @@
 #include "core/names.h"
 
 namespace umbral::toml_file {
+namespace {
+
+const char* article(std::string_view noun) {
+  return std::string_view("aeiou").find(noun[0]) != std::string_view::npos ? "an" : "a";
+}
+
+}  // namespace
 
 TableReader::TableReader(const Context& context, const Value::Table* table, std::string owner, Place place)
     : context_(context),
@@ -53,7 +60,8 @@ std::optional<std::string> TableReader::find_kind(const char* noun, const std::v
     context_.diagnostics.error(place_,
                                fmt::format("'type' of the {} is missing{}", noun, suggestion("", choices)));
   if (kind)
-    context_.error(*find("type"), fmt::format("'{}' is not a {}{}", *kind, noun, suggestion(*kind, choices)));
+    context_.error(*find("type"), fmt::format("'{}' is not {} {}{}", *kind, article(noun), noun,
+                                              suggestion(*kind, choices)));
   return std::nullopt;
 }
 

@@ -96,7 +96,11 @@ std::optional<Affine> read_step(const Context& context, const Value& step) {
 
 // How far the map is from flattening space, from 0 to 1: |det| over the volume that columns (or rows) of
 // these lengths have at a right angle (Hadamard's bound).
-double fullness(const glm::dmat3& m) {
+double fullness(glm::dmat3 m) {
+  double largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(m[i / 3][i % 3]));
+  if (largest == 0) return 0;
+  m /= largest;
   const glm::dmat3 t = glm::transpose(m);
   const double columns = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
   const double rows = glm::length(t[0]) * glm::length(t[1]) * glm::length(t[2]);

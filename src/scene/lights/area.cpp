@@ -119,12 +119,20 @@ double AreaLight::power() const {
   // Means over a grid of samples: exact for constant emission and even stretch; else it only weighs the choice.
   constexpr int grid = 16;
   double sum = 0;
-  for (int i = 0; i < grid * grid; ++i) {
-    const Vec2 u{(static_cast<float>(i % grid) + 0.5f) / grid, (static_cast<float>(i / grid) + 0.5f) / grid};
-    const Point q = point(u);
-    sum += luminance(emission_at(q.uv)) / q.pdf;
-  }
+  for (int y = 0; y < grid; ++y)
+    for (int x = 0; x < grid; ++x) {
+      const Vec2 u{(static_cast<float>(x) + 0.5f) / grid, (static_cast<float>(y) + 0.5f) / grid};
+      const Point q = point(u);
+      sum += (luminance(emission_at(q.uv)) + least_emission()) / q.pdf;
+    }
   return sum / (grid * grid) * pi_d * (emitter_.two_sided ? 2 : 1);
+}
+
+// A small share of a texture's brightest value: a light whose bright spots fall between the grid's samples must
+// still be chosen now and then.
+float AreaLight::least_emission() const {
+  if (emitter_.emission.is_constant()) return 0;
+  return 0.01f * luminance((*textures_)[index_of(emitter_.emission.map)].color_bounds().high);
 }
 
 }  // namespace umbral

@@ -41,6 +41,7 @@ class AreaLight {
   Vec3d world(const Vec3& p) const;
   float area_pdf(const Vec3& n) const;  // n: unit, world, outer side
   Spectrum emission_at(const Vec2& uv) const;
+  float least_emission() const;
 
   const Geometry* geometry_;
   const std::vector<Texture>* textures_;

@@ -45,7 +45,7 @@ class Sheet {
   double inflection() const;
   std::optional<double> crossing(const Stretch& stretch, bool outside_from, bool outside_to) const;
   std::optional<double> dip(const Stretch& stretch) const;
-  bool sinks(const Stretch& stretch, double low) const;
+  std::optional<double> below_noise(const Stretch& stretch, double low) const;
   double refined(const Stretch& stretch, double low, double high, bool above_low, double guess) const;
   Jet upright(double s, const Stretch& stretch) const;
 
@@ -135,33 +135,36 @@ std::optional<double> Sheet::dip(const Stretch& stretch) const {
   for (int i = 0; i < 200; ++i) {
     const Jet here = upright(s, stretch);
     if (here.f1 >= 0) return std::nullopt;
+    if (here.f <= noise_) {
+      const std::optional<double> sunk = below_noise(stretch, s);
+      return sunk ? std::optional(refined(stretch, s, *sunk, true, s)) : std::nullopt;
+    }
     const auto [flat, steep] = std::minmax(here.f2, end.f2);
     const double deep = here.f + noise_, square = here.f1 * here.f1, slack = 8 * epsilon * square;
     if (square + slack < 2 * deep * flat) return std::nullopt;
     const double discriminant = std::max(0.0, square - 2 * here.f * flat) + slack;
-    const double safe = s + std::max(0.0, 2 * here.f / (std::sqrt(discriminant) - here.f1));
+    const double safe = s + 2 * here.f / (std::sqrt(discriminant) - here.f1);
     if (!(safe < stretch.to)) return std::nullopt;
     const double steep_discriminant = square - slack - 2 * deep * steep;
     if (steep_discriminant >= 0) {
       const double sure = s + 2 * deep / (std::sqrt(steep_discriminant) - here.f1);
       if (sure < stretch.to) return refined(stretch, safe, sure, true, steep == here.f2 ? sure : safe);
     }
-    if (safe - s <= epsilon * (1 + a_)) return sinks(stretch, s) ? std::optional(s) : std::nullopt;
     s = safe;
   }
   return std::nullopt;
 }
 
-// Whether a convex function falls below the noise between `low` and the end of the stretch.
-bool Sheet::sinks(const Stretch& stretch, double low) const {
+// Where a convex function that falls at `low` is deeper than the noise, if it is before the end of the stretch.
+std::optional<double> Sheet::below_noise(const Stretch& stretch, double low) const {
   double high = stretch.to;
   for (int i = 0; i < 64 && high - low > epsilon * (1 + a_); ++i) {
     const double middle = low + (high - low) / 2;
     const Jet jet = upright(middle, stretch);
-    if (jet.f < -noise_) return true;
+    if (jet.f < -noise_) return middle;
     (jet.f1 < 0 ? low : high) = middle;
   }
-  return false;
+  return std::nullopt;
 }
 
 // The root between `low` and `high`, by osculating parabolas, or by bisection where these leave the bracket.

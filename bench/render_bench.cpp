@@ -1,0 +1,79 @@
+// Renders one benchmark scene and prints a line: paths and rays per second and core, share inside Embree, memory.
+#include <sys/resource.h>
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "bench_scenes.h"
+#include "core/parallel.h"
+#include "embree_share.h"
+#include "integrators/registry.h"
+#include "ray_count.h"
+#include "render/renderer.h"
+
+namespace umbral::bench {
+namespace {
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+double peak_mebibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+SceneDescription scene_by_name(const std::string& name) {
+  if (name == "cornell-box") return cornell_box();
+  if (name == "textured-room") return textured_room();
+  if (name == "instances") return instanced_field();
+  throw std::invalid_argument("scenes are cornell-box, textured-room and instances, not '" + name + "'");
+}
+
+void run(const std::string& name, int threads, int spp) {
+  const ThreadLimit limit(threads);
+  const Scene scene(scene_by_name(name));
+  const std::unique_ptr<Integrator> integrator = make_integrator("path");
+  RenderOptions options;
+  options.sampling.spp = spp;
+  RenderOptions warm_up = options;
+  warm_up.sampling.spp = 8;
+  count_rays(true);
+  const double paths = render(scene, *integrator, warm_up).film->image_error().samples;
+  const double rays_a_path = static_cast<double>(rays_counted()) / paths;
+  count_rays(false);
+
+  const double before = cpu_seconds();
+  const EmbreeShare embree;
+  const RenderResult result = render(scene, *integrator, options);
+  const double cpu = cpu_seconds() - before;
+  const ImageError error = result.film->image_error();
+  const double paths_a_second = error.samples / cpu / 1e6;
+  fmt::print("{:<14} {:8.3f} {:8.2f} {:8.3f} {:8.1f} {:9.0f} {:11.0f} {:8.2f} {:10.3g}\n", name, paths_a_second,
+             paths_a_second * rays_a_path, error.samples / result.seconds / 1e6, 100 * embree.share(),
+             peak_mebibytes(), static_cast<double>(scene.accel_bytes()) / (1 << 20), 100 * error.relative(),
+             1 / (sqr(error.relative()) * cpu));
+}
+
+}  // namespace
+}  // namespace umbral::bench
+
+int main(int argc, char** argv) {
+  if (argc == 2 && std::string(argv[1]) == "--header") {
+    fmt::print("{:<14} {:>8} {:>8} {:>8} {:>8} {:>9} {:>11} {:>8} {:>10}\n", "scene", "Mpath/sc", "Mray/sc", "Mpath/s",
+               "Embree %", "peak MiB", "Embree MiB", "error %", "eff. /sc");
+    return 0;
+  }
+  try {
+    const int threads = argc > 2 ? std::atoi(argv[2]) : umbral::available_threads();
+    umbral::bench::run(argc > 1 ? argv[1] : "cornell-box", threads, argc > 3 ? std::atoi(argv[3]) : 32);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bench_render: {}\n", error.what());
+    return 2;
+  }
+}
