@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <vector>
 
 #if defined(__F16C__) && defined(__SSE4_1__)
 #define UMBRAL_TEXELS_BY_SSE
@@ -13,8 +12,8 @@
 #include <glm/gtc/packing.hpp>
 #endif
 
+#include "core/huge_pages.h"
 #include "core/spectrum.h"
-#include "image/huge_pages.h"
 
 namespace umbral {
 
@@ -85,7 +84,7 @@ class TexelGrid {
   }
 
   int width_ = 0, height_ = 0, tiles_across_ = 0;
-  std::vector<Stored, HugePageAllocator<Stored>> texels_;
+  HugeVector<Stored> texels_;
 };
 
 }  // namespace umbral

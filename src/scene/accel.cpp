@@ -24,11 +24,10 @@ void require_success(RTCDevice device, const char* what) {
                                                              : ": error " + std::to_string(error)));
 }
 
-RTCGeometry triangle_geometry(RTCDevice device, const Mesh& mesh) {
+RTCGeometry triangle_geometry(RTCDevice device, const TracedMesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  // Embree reads 16 bytes a vertex, so the last one needs a float of slack behind it: Accel reserves that.
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
-                             sizeof(Vec3), mesh.positions.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
+                             sizeof(Vertex), mesh.vertices.size());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                              sizeof(glm::uvec3), mesh.triangles.size());
   return geometry;
@@ -88,7 +87,7 @@ struct Accel::Impl {
 
 Accel::Accel(const Geometry& geometry, const std::vector<Material>& materials, const std::vector<Texture>& textures)
     : impl_(new Impl) {
-  impl_->device = rtcNewDevice(nullptr);
+  impl_->device = rtcNewDevice("hugepages=1");
   if (impl_->device == nullptr) throw std::runtime_error("Embree cannot start on this processor");
   rtcSetDeviceMemoryMonitorFunction(impl_->device, count_bytes, &impl_->bytes);
   for (const Group& group : geometry.groups) {

@@ -29,10 +29,10 @@ class GroupBuilder {
   const std::vector<Emitter>& emitters() const { return emitters_; }
 
  private:
-  void place_mesh(Mesh&& mesh, const Affine& to_group, Piece& piece) {
+  void place_mesh(Mesh mesh, const Affine& to_group, Piece& piece) {
     mesh.transform(to_group);
     piece.mesh = static_cast<std::uint32_t>(geometry_.meshes.size());
-    geometry_.meshes.push_back(std::move(mesh));
+    geometry_.meshes.emplace_back(mesh);
   }
 
   template <class Kind>
@@ -88,18 +88,18 @@ struct GroupSurface {
   Vec2 uv;
 };
 
-GroupSurface mesh_surface(const Mesh& mesh, const Hit& hit) {
+GroupSurface mesh_surface(const TracedMesh& mesh, const Hit& hit) {
   const glm::uvec3& triangle = mesh.triangles[hit.primitive];
-  const Vec3 &a = mesh.positions[triangle.x], &b = mesh.positions[triangle.y], &c = mesh.positions[triangle.z];
+  const Vertex &a = mesh.vertices[triangle.x], &b = mesh.vertices[triangle.y], &c = mesh.vertices[triangle.z];
   const Vec3 w = weights(hit.barycentric);
   GroupSurface s;
-  s.p = w.x * a + w.y * b + w.z * c;
-  s.ng = triangle_normal(a, b, c);
-  s.magnitude = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
-  s.uv = interpolated_uv(mesh, hit.primitive, hit.barycentric);
+  s.p = w.x * a.p + w.y * b.p + w.z * c.p;
+  s.ng = triangle_normal(a.p, b.p, c.p);
+  s.magnitude = glm::max(glm::abs(a.p), glm::max(glm::abs(b.p), glm::abs(c.p)));
+  s.uv = mesh.mapped ? w.x * a.uv + w.y * b.uv + w.z * c.uv : hit.barycentric;
   s.ns = s.ng;
-  if (mesh.normals.empty()) return s;
-  const Vec3 n = w.x * mesh.normals[triangle.x] + w.y * mesh.normals[triangle.y] + w.z * mesh.normals[triangle.z];
+  if (!mesh.smooth) return s;
+  const Vec3 n = w.x * a.n + w.y * b.n + w.z * c.n;
   const float facing = dot(n, s.ng);
   if (facing != 0) s.ns = glm::normalize(facing < 0 ? -n : n);
   return s;
@@ -138,13 +138,6 @@ void move_to_world(GroupSurface& s, const Placement& placement) {
 }
 
 }  // namespace
-
-Vec2 interpolated_uv(const Mesh& mesh, std::uint32_t triangle, const Vec2& barycentric) {
-  if (mesh.uvs.empty()) return barycentric;
-  const glm::uvec3& t = mesh.triangles[triangle];
-  const Vec3 w = weights(barycentric);
-  return w.x * mesh.uvs[t.x] + w.y * mesh.uvs[t.y] + w.z * mesh.uvs[t.z];
-}
 
 Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
   const Piece& piece = this->piece(hit);

@@ -7,6 +7,7 @@
 #include "scene/material.h"
 #include "scene/shapes/shapes.h"
 #include "scene/surface.h"
+#include "scene/traced_mesh.h"
 
 namespace umbral {
 
@@ -47,7 +48,7 @@ struct Emitter {
 
 // Group 0 is the world; its pieces' emitters are the lights 0, 1, …
 struct Geometry {
-  std::vector<Mesh> meshes;
+  std::vector<TracedMesh> meshes;
   std::vector<PlacedShape> analytics;
   std::vector<Group> groups;
   std::vector<Placement> instances;
@@ -65,8 +66,5 @@ struct Geometry {
 
 // Moves the shapes out of the description; meshes are transformed to their group.
 Geometry sorted_geometry(SceneDescription& description);
-
-// uv at barycentric coordinates of a triangle; the coordinates themselves where the mesh has none.
-Vec2 interpolated_uv(const Mesh& mesh, std::uint32_t triangle, const Vec2& barycentric);
 
 }  // namespace umbral

@@ -10,7 +10,6 @@ Scene::Scene(SceneDescription description)
       textures_(std::move(description.textures)),
       materials_(std::move(description.materials)),
       geometry_(sorted_geometry(description)) {
-  for (Mesh& mesh : geometry_.meshes) mesh.positions.reserve(mesh.positions.size() + 1);
   accel_ = std::make_unique<Accel>(geometry_, materials_, textures_);
   const Bounds bounds = accel_->bounds();
   radius_ = static_cast<float>(std::max(0.0, glm::length(bounds.high - bounds.low) / 2));

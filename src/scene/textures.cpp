@@ -28,7 +28,11 @@ Spectrum ImageTexture::evaluate(const Vec2& uv) const {
 }
 
 TextureBounds ImageTexture::bounds() const {
-  const auto [low, high] = image->min_max();
+  auto [low, high] = image->min_max();
+  if (wrap == Wrap::none) {  // beyond the image every channel is 0
+    low = glm::min(low, Spectrum(0.0f));
+    high = glm::max(high, Spectrum(0.0f));
+  }
   const Spectrum a = low * factor + bias, b = high * factor + bias;
   return {glm::min(a, b), glm::max(a, b)};
 }

@@ -31,8 +31,7 @@ void alpha_filter(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const Vec2 barycentric{hit->u, hit->v};
-  const Mesh& mesh = context.geometry->meshes[context.piece->mesh];
-  const Vec2 uv = interpolated_uv(mesh, hit->primID, barycentric);
+  const Vec2 uv = context.geometry->meshes[context.piece->mesh].uv(hit->primID, barycentric);
   const Vec3 d{ray->dir_x, ray->dir_y, ray->dir_z};
   if (!is_met(context, uv, barycentric, d, hit->primID)) args->valid[0] = 0;
 }

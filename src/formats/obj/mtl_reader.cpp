@@ -49,12 +49,14 @@ void MtlParser::begin_material() {
 }
 
 bool MtlParser::read_number(float& number) {
+  const bool missing = in_.at_line_end();
+  const Place place = here();
   double value = 0;
   const bool good = in_.number(value) && std::isfinite(static_cast<float>(value));
   if (good)
     number = static_cast<float>(value);
   else
-    errors_.error(here(), in_.at_line_end() ? "a number is missing here" : "this is not a finite number");
+    errors_.error(place, missing ? "a number is missing here" : "this is not a finite number");
   return good;
 }
 

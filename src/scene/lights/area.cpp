@@ -23,8 +23,8 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
   std::vector<double> areas;
   areas.reserve(mesh_->triangles.size());
   for (const glm::uvec3& t : mesh_->triangles) {
-    const Vec3d a = world(mesh_->positions[t.x]);
-    areas.push_back(glm::length(cross(world(mesh_->positions[t.y]) - a, world(mesh_->positions[t.z]) - a)) / 2);
+    const Vec3d a = world(mesh_->vertices[t.x].p);
+    areas.push_back(glm::length(cross(world(mesh_->vertices[t.y].p) - a, world(mesh_->vertices[t.z].p) - a)) / 2);
     area_ += areas.back();
   }
   inverse_area_ = static_cast<float>(1 / area_);
@@ -51,11 +51,11 @@ AreaLight::Point AreaLight::mesh_point(const Vec2& u) const {
   const Vec2 b = square_to_triangle({draw.remainder, u.y});
   const auto index = static_cast<std::uint32_t>(draw.index);
   const glm::uvec3& t = mesh_->triangles[index];
-  const Vec3 &a = mesh_->positions[t.x], &e = mesh_->positions[t.y], &f = mesh_->positions[t.z];
+  const Vec3 &a = mesh_->vertices[t.x].p, &e = mesh_->vertices[t.y].p, &f = mesh_->vertices[t.z].p;
   const Vec3d p = world((1 - b.x - b.y) * a + b.x * e + b.y * f);
   const Vec3d n = cross(Vec3d(e) - Vec3d(a), Vec3d(f) - Vec3d(a));
   const Vec3 corners = glm::max(glm::abs(Vec3(world(a))), glm::max(glm::abs(Vec3(world(e))), glm::abs(Vec3(world(f)))));
-  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))), corners, interpolated_uv(*mesh_, index, b), 0};
+  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))), corners, mesh_->uv(index, b), 0};
 }
 
 AreaLight::Point AreaLight::analytic_point(const Vec2& u) const {

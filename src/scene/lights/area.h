@@ -46,7 +46,7 @@ class AreaLight {
   const Geometry* geometry_;
   const std::vector<Texture>* textures_;
   Emitter emitter_;
-  const Mesh* mesh_ = nullptr;            // of a triangle mesh
+  const TracedMesh* mesh_ = nullptr;            // of a triangle mesh
   const PlacedShape* analytic_ = nullptr; // of the others
   Affine to_world_, from_world_;          // from group space; from canonical space where analytic
   Distribution1D triangles_;              // by world area; empty for rectangles

@@ -38,16 +38,18 @@ struct Spread {
   double half() const { return pi_d + 2 * inner_half(); }  // over [0, π]
 };
 
-// The x in [0, high] with k x + a sin x = target, whose left side is concave and does not fall in [0, high]:
-// Newton's method climbs to it from below; bisection takes over where the slope ends at 0.
+// The x in [0, high] with k x + a sin x = target, whose left side is concave and does not fall there. Steps
+// go to the roots of osculating parabolas, which serve where the slope ends at 0 as well, or halve the
+// bracket.
 double inverted(double k, double a, double target, double high) {
+  const double tolerance = 2 * epsilon * high;
   double low = 0, x = std::min(high, target / (k + a));
   for (int i = 0; i < 100 && low < high; ++i) {
-    const double excess = k * x + a * std::sin(x) - target;
+    const double sine = std::sin(x), slope = k + a * std::cos(x), excess = k * x + a * sine - target;
     (excess < 0 ? low : high) = x;
-    double next = x - excess / (k + a * std::cos(x));
+    double next = x - 2 * excess / (slope + std::sqrt(std::max(0.0, slope * slope + 2 * excess * a * sine)));
     if (!(next >= low && next <= high)) next = low + (high - low) / 2;
-    if (std::abs(next - x) <= epsilon * x) return next;
+    if (std::abs(next - x) <= tolerance) return next;
     x = next;
   }
   return x;

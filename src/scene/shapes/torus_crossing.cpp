@@ -155,7 +155,7 @@ std::optional<double> Sheet::dip(const Stretch& stretch) const {
   return std::nullopt;
 }
 
-// Where a convex function that falls at `low` is deeper than the noise, if it is before the end of the stretch.
+// Where a convex function that falls at `low` is deeper than the noise, if anywhere on the stretch.
 std::optional<double> Sheet::below_noise(const Stretch& stretch, double low) const {
   double high = stretch.to;
   for (int i = 0; i < 64 && high - low > epsilon * (1 + a_); ++i) {
