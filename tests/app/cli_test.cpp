@@ -1,0 +1,186 @@
+// The program as a user meets it: commands, messages, exit codes, files.
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "image/film_file.h"
+
+namespace umbral {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exit_code;
+  std::string text;  // of both output streams
+};
+
+class Cli : public testing::Test {
+ protected:
+  Cli() : folder_(fs::temp_directory_path() / ("umbral_cli_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "room.toml") << R"([camera]
+position = [0, 0, 3]
+look_at = [0, 0, 0]
+[film]
+width = 16
+height = 12
+[sampling]
+spp = 16
+[materials.wall]
+type = "blinn_phong"
+kd = 0.5
+ks = 0.2
+[[shapes]]
+type = "sphere"
+material = "wall"
+[[lights]]
+type = "point"
+position = [2, 3, 4]
+intensity = 40
+)";
+  }
+  ~Cli() override { fs::remove_all(folder_); }
+
+  Outcome run(const std::string& arguments, const std::string& prefix = "") const {
+    const std::string command = "cd '" + folder_.string() + "' && " + prefix + " " UMBRAL_PROGRAM " " + arguments + " 2>&1";
+    std::FILE* pipe = popen(command.c_str(), "r");
+    std::string text;
+    char buffer[4096];
+    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
+  }
+
+  static bool has(const Outcome& outcome, const std::string& part) {
+    return outcome.text.find(part) != std::string::npos;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Cli, RendersBothFilesAndSaysHowExactTheyAre) {
+  const Outcome outcome = run("render room.toml");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+  EXPECT_TRUE(has(outcome, "room.exr and room.png: 16 spp")) << outcome.text;
+  EXPECT_TRUE(has(outcome, "% (RMS standard error of a pixel over the mean); mean ")) << outcome.text;
+  EXPECT_TRUE(has(outcome, "uses analytic shapes, blinn_phong")) << outcome.text;
+  EXPECT_TRUE(fs::exists(folder_ / "room.exr") && fs::exists(folder_ / "room.png"));
+  const Outcome info = run("info room.exr");
+  EXPECT_TRUE(has(info, "16 per pixel in 8 replicates, 0 rejected")) << info.text;
+  EXPECT_TRUE(has(info, "bias         none")) << info.text;
+}
+
+TEST_F(Cli, ThreadsChangeNothing) {
+  ASSERT_EQ(run("render room.toml --threads 1 -o a.exr").exit_code, 0);
+  ASSERT_EQ(run("render room.toml --threads 2 -o b.exr").exit_code, 0);
+  const ExrImage a = read_exr((folder_ / "a.exr").string()), b = read_exr((folder_ / "b.exr").string());
+  for (const ExrChannel& channel : a.channels) EXPECT_EQ(channel.pixels, b.find(channel.name)->pixels) << channel.name;
+}
+
+TEST_F(Cli, LayersAreChannelsThatAddUp) {
+  for (const std::string integrator : {"path", "blinn_phong"}) {
+    ASSERT_EQ(run("render room.toml --layers --aux --integrator " + integrator + " -o l.exr").exit_code, 0);
+    const FilmImage image = read_film((folder_ / "l.exr").string());
+    ASSERT_GE(image.layers.size(), 3u);
+    ASSERT_EQ(image.auxiliary.size(), image.pixels.size());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      Vec3 sum{0};
+      for (const auto& layer : image.layers) sum += layer[i];
+      EXPECT_NEAR(sum.r, image.pixels[i].mean.r, 1e-6 * (1 + sum.r));
+    }
+  }
+}
+
+TEST_F(Cli, ReplaysTheSampleThatAPixelIsMadeOf) {
+  const Outcome one = run("render room.toml --pixel 8,6 --sample 3 --spp 1 --replicates 1");
+  EXPECT_EQ(one.exit_code, 0) << one.text;
+  EXPECT_TRUE(has(one, "pixel 8,6 sample 3 (replicate 0, index 3 within it, seed 0)")) << one.text;
+  EXPECT_TRUE(has(one, "radiance"));
+  EXPECT_EQ(run("render room.toml --pixel 8,6 --sample 3 --spp 1 --replicates 1").text, one.text);
+  EXPECT_NE(run("render room.toml --pixel 8,6 --sample 3 --spp 1 --replicates 1 --seed 9").text, one.text);
+}
+
+TEST_F(Cli, JsonIsJson) {
+  const Outcome outcome = run("render room.toml --json");
+  const nlohmann::json json = nlohmann::json::parse(outcome.text);
+  EXPECT_EQ(json["samplesPerPixel"], 16);
+  EXPECT_GT(json["relativeError"].get<double>(), 0);
+  EXPECT_EQ(json["biasNotes"].size(), 0u);
+}
+
+TEST_F(Cli, MergesRendersOfDifferentSeedsOnly) {
+  ASSERT_EQ(run("render room.toml -o a.exr --seed 1").exit_code, 0);
+  ASSERT_EQ(run("render room.toml -o b.exr --seed 2").exit_code, 0);
+  const Outcome merged = run("merge a.exr b.exr -o ab.exr");
+  EXPECT_EQ(merged.exit_code, 0) << merged.text;
+  EXPECT_TRUE(has(run("info ab.exr"), "32 per pixel in 16 replicates"));
+  EXPECT_EQ(run("merge a.exr a.exr -o aa.exr").exit_code, 2);
+}
+
+TEST_F(Cli, StopRulesSayWhichOneFired) {
+  EXPECT_TRUE(has(run("render room.toml --target-error 20%"), "(target error 20 %)"));
+  const Outcome missed = run("render room.toml --target-error 0.001% --spp 16");
+  EXPECT_EQ(missed.exit_code, 4) << missed.text;
+  EXPECT_TRUE(has(run("render room.toml --time 0.2"), "(time 0.2 s)"));
+}
+
+TEST_F(Cli, CtrlCWritesWhatThereIs) {
+  const Outcome outcome = run("render room.toml --spp 1000000000 --size 64x64", "timeout -s INT 2");
+  EXPECT_TRUE(fs::exists(folder_ / "room.exr")) << outcome.text;
+  EXPECT_TRUE(has(run("info room.exr"), "stopped by interrupted"));
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    const std::string extension = entry.path().extension().string();
+    EXPECT_TRUE(extension == ".toml" || extension == ".exr" || extension == ".png") << entry.path();
+  }
+}
+
+TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
+  const auto refused = [&](const std::string& arguments, const std::string& message) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_TRUE(has(outcome, message)) << arguments << "\n" << outcome.text;
+  };
+  refused("rendr room.toml", "there is no command 'rendr'; did you mean 'render'?");
+  refused("render room.toml --integrator pth", "there is no integrator 'pth'; did you mean 'path'?");
+  refused("render room.toml --sampler sobl", "did you mean 'sobol'?");
+  refused("render room.toml --size 0x5", "--size wants WIDTHxHEIGHT");
+  refused("render room.toml --crop 0,0,17,3", "--crop 16,2 is outside the image of 16x12 pixels");
+  refused("render room.toml --pixel 16,0", "is outside the image");
+  refused("render room.toml --sample 3", "--sample needs --pixel");
+  refused("render room.toml --target-error nought", "--target-error wants a share above 0");
+  refused("render room.toml --env none.hdr", "none.hdr");
+  refused("render none.toml", "none.toml: error: ");
+  refused("info room.toml", "room.toml: error: ");
+  refused("help material mate", "did you mean 'matte'?");
+  refused("help metarial", "did you mean 'material'?");
+}
+
+TEST_F(Cli, UnwritableOutputIsToldBeforeTheRender) {
+  const Outcome outcome = run("render room.toml -o none/room.exr --spp 1000000000");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_TRUE(has(outcome, "there is no directory '")) << outcome.text;
+}
+
+TEST_F(Cli, CheckCountsWarnings) {
+  const Outcome outcome = run("check room.toml");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(has(outcome, "room.toml: no errors, 0 warnings")) << outcome.text;
+}
+
+TEST_F(Cli, HelpExplainsEveryKindOfEveryGroup) {
+  for (const std::string group : {"material", "texture", "shape", "light", "integrator", "camera", "film", "sampling"}) {
+    const Outcome outcome = run("help " + group);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_TRUE(has(outcome, "default ")) << group;
+  }
+}
+
+}  // namespace
+}  // namespace umbral

@@ -1,0 +1,49 @@
+// Every paper that the code cites is in docs/references.md.
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/paths.h"
+
+namespace umbral {
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+// "[Duff et al. 2017]", "[Veach 1997, §9.2]" → "Duff et al. 2017", "Veach 1997".
+std::set<std::string> citations(const std::string& text) {
+  static const std::regex pattern(R"(\[([A-Z][A-Za-z' -]+(?: et al\.)? [12][0-9]{3}))");
+  std::set<std::string> found;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator(); ++match)
+    found.insert((*match)[1]);
+  return found;
+}
+
+TEST(References, ACitationIsRecognised) {
+  EXPECT_EQ(citations("x [Duff et al. 2017] y[3] [Veach 1997, §9.2]"),
+            (std::set<std::string>{"Duff et al. 2017", "Veach 1997"}));
+}
+
+TEST(References, EveryCitationResolves) {
+  const std::string references = contents(test::source_path("docs/references.md"));
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_path("src")))
+    if (entry.is_regular_file())
+      for (const std::string& citation : citations(contents(entry.path()))) {
+        ++count;
+        EXPECT_NE(references.find("**" + citation + "**"), std::string::npos) << entry.path() << " cites " << citation;
+      }
+  EXPECT_GT(count, 10u);
+}
+
+}  // namespace
+}  // namespace umbral
