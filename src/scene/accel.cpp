@@ -67,6 +67,7 @@ struct Accel::Impl {
   RTCScene new_scene() {
     RTCScene scene = rtcNewScene(device);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // no ray passes between two triangles that share an edge
     scenes.push_back(scene);
     return scene;
   }

@@ -152,7 +152,7 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
   }
   if (placement) move_to_world(s, *placement);
   if (s.ns != s.ng) s.ns = facing_normal(s.ns, s.ng, -glm::normalize(ray.d));
-  Surface surface{s.p, s.ng, frame_from_normal(s.ns), s.uv, surface_error(s.magnitude, s.ng), piece.material};
+  Surface surface{s.p, s.ng, frame_from_normal(s.ns), s.uv, surface_error(s.magnitude), piece.material};
   if (piece.emitter != no_index)
     surface.light = static_cast<LightId>(piece.emitter + (placement ? placement->first_light : 0));
   return surface;

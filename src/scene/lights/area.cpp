@@ -88,7 +88,7 @@ std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const
   const Spectrum radiance = emission_at(q.uv);
   const float pdf = q.pdf * sqr(distance) / std::abs(cosine);
   if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
-  const float error = surface_error(q.magnitude, q.n);
+  const float error = surface_error(q.magnitude);
   // Built in place: a copy of what was just stored piece by piece would stall.
   std::optional<LightSample> result(std::in_place);
   result->wi = wi;
