@@ -1,6 +1,6 @@
 // `umbral check`: every error of a scene file at once, and what is legal but doubtful.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
 #include "app/exit_code.h"

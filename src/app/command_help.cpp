@@ -1,8 +1,8 @@
 // `umbral help`: explains what a scene file may hold, from the tables that read it.
 #include <functional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -50,9 +50,12 @@ void add_materials(std::vector<Topic>& topics) {
 void add_shapes(std::vector<Topic>& topics) {
   const std::vector<ParameterText> common{
       {{"material", "name of a material; required"}, "text", ""},
-      {{"emission", "radiance that the outer side emits, W m⁻² sr⁻¹", non_negative}, "colour or texture", "0"},
+      {{"emission", "radiance that the outer side emits, W m⁻² sr⁻¹", non_negative},
+       "colour or texture",
+       "0"},
       {{"two_sided", "emits on the inner side too"}, "true or false", "false"},
-      {{"transform", "steps in order: {translate=[…]}, {scale=…}, {rotate={axis=[…], degrees=…}}, {matrix=[4 rows]}"},
+      {{"transform",
+        "steps in order: {translate=[…]}, {scale=…}, {rotate={axis=[…], degrees=…}}, {matrix=[4 rows]}"},
        "list",
        "[]"},
       {{"name", "for messages"}, "text", "\"\""}};
@@ -98,7 +101,8 @@ void print_overview(const std::vector<Topic>& topics) {
   fmt::print("umbral help GROUP [KIND] explains what a scene file may hold:\n");
   std::string group;
   for (const Topic& topic : topics) {
-    if (topic.group != group) fmt::print("{}{}", group.empty() ? "" : "\n", fmt::format("  {:<12}", topic.group));
+    if (topic.group != group)
+      fmt::print("{}{}", group.empty() ? "" : "\n", fmt::format("  {:<12}", topic.group));
     fmt::print(" {}", topic.kind.empty() ? topic.doc : topic.kind);
     group = topic.group;
   }
@@ -119,8 +123,10 @@ void print_help(const std::string& group, const std::string& kind) {
     print_topic(topic);
     printed = true;
   }
-  if (kinds.empty()) throw SceneError(Where{}, "there is no help on '" + group + "'" + suggestion(group, groups));
-  if (!printed) throw SceneError(Where{}, "there is no " + group + " '" + kind + "'" + suggestion(kind, kinds));
+  if (kinds.empty())
+    throw SceneError(Where{}, "there is no help on '" + group + "'" + suggestion(group, groups));
+  if (!printed)
+    throw SceneError(Where{}, "there is no " + group + " '" + kind + "'" + suggestion(kind, kinds));
 }
 
 }  // namespace
@@ -131,7 +137,8 @@ void add_help_command(CLI::App& app, int& exit_code) {
     std::string group, kind;
   };
   auto arguments = std::make_shared<Arguments>();
-  help->add_option("group", arguments->group, "material, texture, shape, light, integrator, camera, film, sampling");
+  help->add_option("group", arguments->group,
+                   "material, texture, shape, light, integrator, camera, film, sampling");
   help->add_option("kind", arguments->kind, "one of its kinds");
   help->callback([arguments, &exit_code] {
     print_help(arguments->group, arguments->kind);

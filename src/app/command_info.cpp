@@ -1,7 +1,7 @@
 // `umbral info`: what an EXR of ours says of itself.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -21,12 +21,15 @@ void print_info(const std::string& path) {
   fmt::print("{}\n", path);
   print_line("size", fmt::format("{} x {}", image.layout.width, image.layout.height));
   if (image.layout.crop_width() != image.layout.width || image.layout.crop_height() != image.layout.height)
-    print_line("crop", fmt::format("{},{},{},{}", image.layout.x0, image.layout.y0, image.layout.x1, image.layout.y1));
+    print_line("crop", fmt::format("{},{},{},{}", image.layout.x0, image.layout.y0, image.layout.x1,
+                                   image.layout.y1));
   print_line("mean", fmt::format("{:.6g} ± {:.2g} (95 % confidence, {:.3g} degrees of freedom)", error.mean,
                                  error.half_width(), error.degrees_of_freedom));
-  print_line("error", fmt::format("{:.3g} % (RMS standard error of a pixel over the mean)", 100 * error.relative()));
-  print_line("samples", fmt::format("{:g} per pixel in {} replicates, {:g} rejected", image.samples_per_pixel(),
-                                    image.layout.replicates, image.samples_rejected));
+  print_line("error",
+             fmt::format("{:.3g} % (RMS standard error of a pixel over the mean)", 100 * error.relative()));
+  print_line("samples",
+             fmt::format("{:g} per pixel in {} replicates, {:g} rejected", image.samples_per_pixel(),
+                         image.layout.replicates, image.samples_rejected));
   print_line("layers", fmt::format("{}", fmt::join(image.layout.layers, ", ")));
   print_line("scene", fmt::format("{} (hash {})", p.scene, p.scene_hash));
   print_line("integrator", p.integrator);

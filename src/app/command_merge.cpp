@@ -1,8 +1,8 @@
 // `umbral merge`: renders of one scene with different seeds become one.
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -19,7 +19,8 @@ void merge(const std::vector<std::string>& inputs, const std::string& output) {
   const std::string png = std::filesystem::path(output).replace_extension(".png").string();
   write_png(png, image.layout.crop_width(), image.layout.crop_height(), image.colours());
   fmt::print("{} and {}: {:g} spp; error {:.3g} %; mean {:.6g} ± {:.2g} (95 %)\n", output, png,
-             image.samples_per_pixel(), 100 * image.error.relative(), image.error.mean, image.error.half_width());
+             image.samples_per_pixel(), 100 * image.error.relative(), image.error.mean,
+             image.error.half_width());
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // `umbral render`: from a scene file to an EXR, a PNG and one line about both.
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -53,7 +53,8 @@ double parsed_share(const std::string& text) {
 void apply_size(const std::string& text, FilmSettings& film) {
   int width = 0, height = 0, used = 0;
   if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
-      static_cast<std::size_t>(used) != text.size() || std::min(width, height) < 1 || std::max(width, height) > 65536)
+      static_cast<std::size_t>(used) != text.size() || std::min(width, height) < 1 ||
+      std::max(width, height) > 65536)
     refuse("--size wants WIDTHxHEIGHT in pixels, 1 … 65536, not '" + text + "'");
   film.width = width;
   film.height = height;
@@ -68,7 +69,8 @@ void apply_sampler(const std::string& name, SamplingSettings& sampling) {
 
 void require_pixel(const FilmSettings& film, int x, int y, const char* option) {
   if (x < 0 || y < 0 || x >= film.width || y >= film.height)
-    refuse(fmt::format("{} {},{} is outside the image of {}x{} pixels", option, x, y, film.width, film.height));
+    refuse(
+        fmt::format("{} {},{} is outside the image of {}x{} pixels", option, x, y, film.width, film.height));
 }
 
 RenderOptions render_options(const Arguments& arguments, const SceneFile& file) {
@@ -128,7 +130,8 @@ RenderResult run(const Scene& scene, Integrator& integrator, const RenderOptions
 }
 
 // Writes both files and tells about them.
-void write_and_tell(const Arguments& arguments, const RenderJob& job, const RenderResult& result, const Scene& scene) {
+void write_and_tell(const Arguments& arguments, const RenderJob& job, const RenderResult& result,
+                    const Scene& scene) {
   const std::filesystem::path exr = output_path(arguments);
   std::filesystem::path png = exr;
   png.replace_extension(".png");
@@ -161,17 +164,21 @@ int command(const Arguments& arguments) {
   if (!arguments.environment.empty()) replace_environment(loaded.file, arguments.environment);
   const std::string kind = chosen_integrator(arguments, loaded);
   Integrator& integrator = loaded.integrator(kind);
-  const RenderJob job{arguments.scene,           kind,
-                      integrator_text(kind, integrator), integrator.bias_notes(),
-                      loaded.file.hash,          render_options(arguments, loaded.file)};
+  const RenderJob job{arguments.scene,
+                      kind,
+                      integrator_text(kind, integrator),
+                      integrator.bias_notes(),
+                      loaded.file.hash,
+                      render_options(arguments, loaded.file)};
   print_warnings(loaded.file, arguments.quiet);
   const Scene scene(std::move(loaded.file.scene));
 
   if (!arguments.pixel.empty()) {
     const int x = arguments.pixel[0], y = arguments.pixel[1];
     require_pixel(job.options.film, x, y, "--pixel");
-    fmt::print("{}\n", arguments.sample ? replayed_sample(scene, integrator, job.options, x, y, *arguments.sample)
-                                        : replayed_pixel(scene, integrator, job.options, x, y));
+    fmt::print("{}\n", arguments.sample
+                           ? replayed_sample(scene, integrator, job.options, x, y, *arguments.sample)
+                           : replayed_pixel(scene, integrator, job.options, x, y));
     return exit_success;
   }
   if (arguments.sample) refuse("--sample needs --pixel x,y");
@@ -183,7 +190,8 @@ int command(const Arguments& arguments) {
 
 void add_options(CLI::App& render, Arguments& a) {
   render.add_option("scene", a.scene, "a .toml scene, or an .obj or .ply model")->required();
-  render.add_option("-o,--output", a.output, "the EXR to write, a PNG beside it; default: the scene's name, here");
+  render.add_option("-o,--output", a.output,
+                    "the EXR to write, a PNG beside it; default: the scene's name, here");
   render.add_option("--integrator", a.integrator, "how light is gathered, instead of what the scene says");
   render.add_option("--spp", a.spp, "samples per pixel")->check(CLI::Range(1, 1 << 30));
   render.add_option("--time", a.seconds, "seconds to sample for")->check(CLI::PositiveNumber);

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <exception>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -25,7 +25,8 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw umbral::SceneError(umbral::Where{}, "there is no command '" + word + "'" + umbral::suggestion(word, names));
+  throw umbral::SceneError(umbral::Where{},
+                           "there is no command '" + word + "'" + umbral::suggestion(word, names));
 }
 
 int run(int argc, char** argv) {

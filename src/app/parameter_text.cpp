@@ -22,7 +22,9 @@ void ParameterTexts::add(const ParameterInfo& info, std::string type, std::strin
 void ParameterTexts::operator()(const ParameterInfo& info, bool& v) {
   add(info, "true or false", v ? "true" : "false");
 }
-void ParameterTexts::operator()(const ParameterInfo& info, int& v) { add(info, "whole number", std::to_string(v)); }
+void ParameterTexts::operator()(const ParameterInfo& info, int& v) {
+  add(info, "whole number", std::to_string(v));
+}
 void ParameterTexts::operator()(const ParameterInfo& info, std::uint64_t& v) {
   add(info, "whole number", std::to_string(v));
 }
@@ -34,7 +36,9 @@ void ParameterTexts::operator()(const ParameterInfo& info, Vec3& v) {
   add(info, "[x, y, z]", fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z));
 }
 void ParameterTexts::operator()(const ParameterInfo& info, Spectrum& v) { add(info, "colour", color(v)); }
-void ParameterTexts::operator()(const ParameterInfo& info, std::string& v) { add(info, "text", '"' + v + '"'); }
+void ParameterTexts::operator()(const ParameterInfo& info, std::string& v) {
+  add(info, "text", '"' + v + '"');
+}
 void ParameterTexts::operator()(const ParameterInfo& info, Textured<float>& v) {
   add(info, "number or texture", number(v.value));
 }
@@ -50,7 +54,8 @@ void ParameterTexts::choice(const ParameterInfo& info, int& index, std::span<con
 
 std::string range_text(const Range& range) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
-  if (low && high && !range.low_open && !range.high_open) return number(range.low) + " … " + number(range.high);
+  if (low && high && !range.low_open && !range.high_open)
+    return number(range.low) + " … " + number(range.high);
   std::string text;
   if (low) text = (range.low_open ? "> " : "≥ ") + number(range.low);
   if (high) text += (low ? ", " : "") + std::string(range.high_open ? "< " : "≤ ") + number(range.high);

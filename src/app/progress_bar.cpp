@@ -31,7 +31,8 @@ std::string progress_text(const RenderProgress& progress, double target, bool wi
     const double left = progress.elapsed * (1 / std::max(progress.share, 1e-6) - 1);
     text += fmt::format(", {} left", duration(left));
   }
-  if (std::isfinite(progress.relative_error)) text += fmt::format("  error {:.2g} %", 100 * progress.relative_error);
+  if (std::isfinite(progress.relative_error))
+    text += fmt::format("  error {:.2g} %", 100 * progress.relative_error);
   if (target > 0) text += fmt::format(" → {:.2g} %", 100 * target);
   return text;
 }

@@ -12,7 +12,9 @@
 namespace umbral {
 namespace {
 
-std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.3g} %", 100 * share) : "unknown"; }
+std::string percent(double share) {
+  return std::isfinite(share) ? fmt::format("{:.3g} %", 100 * share) : "unknown";
+}
 
 nlohmann::json number_or_null(double x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(); }
 
@@ -54,13 +56,15 @@ std::string summary_line(const FilmImage& image, const Scene& scene) {
   std::string text = fmt::format("{:.6g} spp in {:.3g} s ({})", image.samples_per_pixel(), seconds,
                                  image.provenance.stop_reason);
   if (std::isfinite(error.rms_standard_error)) {
-    text += fmt::format("; error {} (RMS standard error of a pixel over the mean); mean {:.6g} ± {:.2g} (95 %)",
-                        percent(error.relative()), error.mean, error.half_width());
+    text +=
+        fmt::format("; error {} (RMS standard error of a pixel over the mean); mean {:.6g} ± {:.2g} (95 %)",
+                    percent(error.relative()), error.mean, error.half_width());
     if (error.relative() > 0) text += fmt::format("; efficiency {:.3g}/s", efficiency(error, seconds));
   } else {
     text += fmt::format("; mean {:.6g}; error unknown: it takes two replicates at least", error.mean);
   }
-  text += fmt::format("; uses {}", features.empty() ? "nothing special" : fmt::format("{}", fmt::join(features, ", ")));
+  text += fmt::format("; uses {}",
+                      features.empty() ? "nothing special" : fmt::format("{}", fmt::join(features, ", ")));
   if (!image.provenance.bias_notes.empty())
     text += fmt::format("; biased: {}", fmt::join(image.provenance.bias_notes, "; "));
   return text;
@@ -73,8 +77,9 @@ std::string statistics_text(const FilmImage& image, const Scene& scene) {
       "  pixel variance {:.4g} of the mean over {} replicates\n"
       "  lights         {}\n"
       "  memory         {:.1f} MiB at most, {:.1f} MiB of it Embree's",
-      image.error.samples, image.error.samples / seconds / 1e6, image.error.pixel_variance(), image.layout.replicates,
-      scene.light_count(), peak_mebibytes(), static_cast<double>(scene.accel_bytes()) / (1 << 20));
+      image.error.samples, image.error.samples / seconds / 1e6, image.error.pixel_variance(),
+      image.layout.replicates, scene.light_count(), peak_mebibytes(),
+      static_cast<double>(scene.accel_bytes()) / (1 << 20));
 }
 
 std::string rejected_text(const Film& film, const RenderJob& job) {
@@ -84,14 +89,17 @@ std::string rejected_text(const Film& film, const RenderJob& job) {
       film.rejected());
   const auto replicates = static_cast<std::uint64_t>(film.layout().replicates);
   for (const RejectedSample& sample : film.first_rejected())
-    text += fmt::format("\n  ({:g}, {:g}, {:g}): umbral render {} --integrator {} --seed {} --spp {} --pixel {},{} --sample {}",
-                        sample.value.r, sample.value.g, sample.value.b, job.scene_path, job.integrator,
-                        job.options.sampling.seed, job.options.sampling.spp, sample.x, sample.y,
-                        sample.index * replicates + static_cast<std::uint64_t>(sample.replicate));
+    text += fmt::format(
+        "\n  ({:g}, {:g}, {:g}): umbral render {} --integrator {} --seed {} --spp {} --pixel {},{} --sample "
+        "{}",
+        sample.value.r, sample.value.g, sample.value.b, job.scene_path, job.integrator,
+        job.options.sampling.seed, job.options.sampling.spp, sample.x, sample.y,
+        sample.index * replicates + static_cast<std::uint64_t>(sample.replicate));
   return text;
 }
 
-std::string summary_json(const FilmImage& image, const Scene& scene, const std::string& exr, const std::string& png) {
+std::string summary_json(const FilmImage& image, const Scene& scene, const std::string& exr,
+                         const std::string& png) {
   const ImageError& error = image.error;
   const Provenance& p = image.provenance;
   const nlohmann::ordered_json json{

@@ -12,8 +12,8 @@ namespace umbral {
 // All that names a render: for provenance and reports.
 struct RenderJob {
   std::string scene_path;
-  std::string integrator;      // its kind
-  std::string integrator_call; // integrator_text()
+  std::string integrator;       // its kind
+  std::string integrator_call;  // integrator_text()
   std::vector<std::string> bias_notes;
   std::uint64_t scene_hash = 0;
   RenderOptions options;
@@ -35,6 +35,7 @@ std::string statistics_text(const FilmImage& image, const Scene& scene);
 std::string rejected_text(const Film& film, const RenderJob& job);
 
 // One JSON object with what summary_line() and the provenance tell.
-std::string summary_json(const FilmImage& image, const Scene& scene, const std::string& exr, const std::string& png);
+std::string summary_json(const FilmImage& image, const Scene& scene, const std::string& exr,
+                         const std::string& png);
 
 }  // namespace umbral

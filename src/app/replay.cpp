@@ -5,8 +5,8 @@
 
 namespace umbral {
 
-std::string replayed_sample(const Scene& scene, Integrator& integrator, const RenderOptions& options, int x, int y,
-                            std::uint64_t sample) {
+std::string replayed_sample(const Scene& scene, Integrator& integrator, const RenderOptions& options, int x,
+                            int y, std::uint64_t sample) {
   integrator.prepare(scene);
   const auto replicates = static_cast<std::uint64_t>(replicate_count(options));
   const std::vector<std::string> names = integrator.layers();
@@ -18,8 +18,8 @@ std::string replayed_sample(const Scene& scene, Integrator& integrator, const Re
   const auto line = [](const std::string& name, const auto& v) {
     return fmt::format("  {:<12} {:.9g} {:.9g} {:.9g}\n", name, v[0], v[1], v[2]);
   };
-  std::string text = fmt::format("pixel {},{} sample {} (replicate {}, index {} within it, seed {})\n", x, y, sample,
-                                 id.replicate, id.index, options.sampling.seed);
+  std::string text = fmt::format("pixel {},{} sample {} (replicate {}, index {} within it, seed {})\n", x, y,
+                                 sample, id.replicate, id.index, options.sampling.seed);
   text += fmt::format("  {:<12} {:.9g} {:.9g}\n", "film", result.position.x, result.position.y);
   text += line("origin", result.ray.o) + line("direction", result.ray.d);
   if (const std::optional<Hit> hit = scene.intersect(result.ray))

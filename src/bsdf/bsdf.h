@@ -12,9 +12,9 @@ namespace umbral {
 
 // One direction drawn by a lobe.
 struct BsdfSample {
-  Vec3 wi;           // local, unit, away from the surface
-  Spectrum weight;   // f |cos θi| / pdf
-  float pdf = 0;     // per solid angle; of no meaning where `delta`
+  Vec3 wi;             // local, unit, away from the surface
+  Spectrum weight;     // f |cos θi| / pdf
+  float pdf = 0;       // per solid angle; of no meaning where `delta`
   bool delta = false;  // from a mirror-like part: no other strategy can find it
 };
 
@@ -29,15 +29,15 @@ struct BlinnPhongCoefficients {
 // zero width (mirrors), which only sample() draws. sample() may draw nothing (absorbed, or out of range).
 template <class T>
 concept BsdfModel = std::is_trivially_copyable_v<T> &&
-                    requires(const T& lobe, const Vec3& w, float u1, const Vec2& u2) {
+    requires(const T& lobe, const Vec3& w, float u1, const Vec2& u2) {
   { lobe.f_cos(w, w) } -> std::same_as<Spectrum>;  // f |cos θi|, per steradian
   { lobe.pdf(w, w) } -> std::same_as<float>;       // of sample(), per solid angle
   { lobe.sample(w, u1, u2) } -> std::same_as<std::optional<BsdfSample>>;
-  { lobe.albedo() } -> std::same_as<Spectrum>;     // approximate reflectance, for the albedo layer
+  { lobe.albedo() } -> std::same_as<Spectrum>;  // approximate reflectance, for the albedo layer
   { lobe.local_model() } -> std::same_as<BlinnPhongCoefficients>;  // the lobe's local counterpart
-  { T::only_delta } -> std::convertible_to<bool>;  // has no part that f_cos() could see
-  { T::has_choice } -> std::convertible_to<bool>;  // sample() looks at u1
-  T::parameters;                                   // see core/parameters.h
+  { T::only_delta } -> std::convertible_to<bool>;                  // has no part that f_cos() could see
+  { T::has_choice } -> std::convertible_to<bool>;                  // sample() looks at u1
+  T::parameters;                                                   // see core/parameters.h
 };
 
 inline float cos_theta(const Vec3& w) { return w.z; }

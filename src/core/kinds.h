@@ -12,9 +12,8 @@ namespace umbral {
 // Calls visit(T{}) for every alternative T of the variant.
 template <class Variant, class Visit>
 void for_each_kind(Visit&& visit) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (visit(std::variant_alternative_t<I, Variant>{}), ...);
-  }(std::make_index_sequence<std::variant_size_v<Variant>>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (visit(std::variant_alternative_t<I, Variant>{}), ...); }
+  (std::make_index_sequence<std::variant_size_v<Variant>>{});
 }
 
 template <class Variant>

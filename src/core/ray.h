@@ -5,12 +5,11 @@
 
 namespace umbral {
 
-// Points on it are o + t d, t_min < t < t_max. `d` need not be of unit length: a shadow ray's is the whole way
-// to its light and its t_max is 1.
+// Points on it are o + t d, t_min < t < t_max. `d` need not be of unit length.
 struct Ray {
-  Vec3 o;             // world
-  Vec3 d;             // world
-  float t_min = 0;    // in lengths of d
+  Vec3 o;           // world
+  Vec3 d;           // world
+  float t_min = 0;  // in lengths of d
   float t_max = infinity;
 
   Vec3 operator()(float t) const { return o + t * d; }

@@ -14,7 +14,8 @@ inline Vec2 square_to_disk(const Vec2& u) {
   const float radius = wide ? p.x : p.y;
   const float angle = radius == 0 ? 0 : (pi / 4) * ((wide ? p.y : p.x) / radius);
   const float a2 = angle * angle;
-  const float sine = angle * (1 + a2 * (-1.f / 6 + a2 * (1.f / 120 + a2 * (-1.f / 5040 + a2 * (1.f / 362880)))));
+  const float sine =
+      angle * (1 + a2 * (-1.f / 6 + a2 * (1.f / 120 + a2 * (-1.f / 5040 + a2 * (1.f / 362880)))));
   const float cosine = 1 + a2 * (-1.f / 2 + a2 * (1.f / 24 + a2 * (-1.f / 720 + a2 * (1.f / 40320))));
   return radius * (wide ? Vec2{cosine, sine} : Vec2{sine, cosine});
 }

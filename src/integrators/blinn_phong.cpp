@@ -11,7 +11,7 @@ struct BlinnPhongIntegrator::Terms {
 struct BlinnPhongIntegrator::Point {
   Surface surface;
   BlinnPhongCoefficients k;
-  Vec3 wo;        // world, v of the formula
+  Vec3 wo;  // world, v of the formula
   Vec3 wo_local;
 };
 
@@ -19,7 +19,8 @@ void BlinnPhongIntegrator::describe(ParameterVisitor& visitor) { for_each_parame
 
 std::vector<std::string> BlinnPhongIntegrator::bias_notes() const {
   std::vector<std::string> notes{"local model: light of more than one bounce is missing"};
-  if (convention == Convention::classic) notes.push_back("convention classic: coefficients are not radiometric");
+  if (convention == Convention::classic)
+    notes.push_back("convention classic: coefficients are not radiometric");
   if (ambient && !is_black(ambient_light)) notes.push_back("ambient light is added");
   if (!ambient || !diffuse || !specular || !emission) notes.push_back("terms are switched off");
   if (!shadows) notes.push_back("shadows are off");
@@ -65,7 +66,8 @@ Spectrum BlinnPhongIntegrator::radiance(const Scene& scene, const Ray& ray, Samp
     if (ambient) la = point.k.ka * ambient_light;
     for (std::size_t i = 0; i < scene.light_count(); ++i) {
       const Vec2 u = sampler.next2d();
-      const std::optional<LightSample> light = scene.sample_light(static_cast<LightId>(i), point.surface.p, u);
+      const std::optional<LightSample> light =
+          scene.sample_light(static_cast<LightId>(i), point.surface.p, u);
       if (!light) continue;
       const Terms terms = shade(scene, point, *light);
       if (diffuse) ld += terms.diffuse;

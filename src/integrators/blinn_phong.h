@@ -33,16 +33,19 @@ class BlinnPhongIntegrator : public Integrator {
   static constexpr const char* kind = "blinn_phong";
   static constexpr const char* doc = "local illumination: the Blinn-Phong model, lights and shadows only";
   static constexpr auto parameters = std::tuple{
-      parameter<&BlinnPhongIntegrator::convention>("convention", "classic: the formula; physical: energy-conserving"),
-      parameter<&BlinnPhongIntegrator::ambient_light>("ambient_light", "Ia, the light that is everywhere", non_negative),
-      parameter<&BlinnPhongIntegrator::background>("background", "colour where nothing is hit and there is no environment",
-                                   non_negative),
+      parameter<&BlinnPhongIntegrator::convention>("convention",
+                                                   "classic: the formula; physical: energy-conserving"),
+      parameter<&BlinnPhongIntegrator::ambient_light>("ambient_light", "Ia, the light that is everywhere",
+                                                      non_negative),
+      parameter<&BlinnPhongIntegrator::background>(
+          "background", "colour where nothing is hit and there is no environment", non_negative),
       parameter<&BlinnPhongIntegrator::ambient>("ambient", "whether ka Ia is added"),
       parameter<&BlinnPhongIntegrator::diffuse>("diffuse", "whether the kd term is added"),
       parameter<&BlinnPhongIntegrator::specular>("specular", "whether the ks term is added"),
       parameter<&BlinnPhongIntegrator::emission>("emission", "whether surfaces that emit are seen to"),
       parameter<&BlinnPhongIntegrator::shadows>("shadows", "whether light is blocked by what is in between"),
-      parameter<&BlinnPhongIntegrator::attenuation>("attenuation", "whether light falls with the square of the distance")};
+      parameter<&BlinnPhongIntegrator::attenuation>("attenuation",
+                                                    "whether light falls with the square of the distance")};
 
   void describe(ParameterVisitor& visitor) override;
   std::vector<std::string> layers() const override { return {"ambient", "diffuse", "specular", "emission"}; }

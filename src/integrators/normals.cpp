@@ -3,7 +3,8 @@
 
 namespace umbral {
 
-Spectrum NormalsIntegrator::radiance(const Scene& scene, const Ray& ray, Sampler&, std::span<Spectrum>) const {
+Spectrum NormalsIntegrator::radiance(const Scene& scene, const Ray& ray, Sampler&,
+                                     std::span<Spectrum>) const {
   const std::optional<Hit> hit = scene.intersect(ray);
   if (!hit) return black;
   const Vec3 n = scene.surface(ray, *hit).shading.n;

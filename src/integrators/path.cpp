@@ -86,7 +86,8 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
 
     const Surface surface = scene.surface(ray, *hit);
     if (surface.light != LightId::none) {
-      const float weight = arrival.delta ? 1 : bsdf_weight(arrival.pdf, scene.light_pdf(surface, ray.d, hit->t));
+      const float weight =
+          arrival.delta ? 1 : bsdf_weight(arrival.pdf, scene.light_pdf(surface, ray.d, hit->t));
       if (weight > 0) add(throughput * scene.emitted(surface, -ray.d) * weight, bounces);
     }
     if (max_depth > 0 && bounces == max_depth) break;

@@ -78,8 +78,8 @@ class Render {
       if (cancelled()) return;
       const int x = layout.x0 + static_cast<int>(tile % columns) * options_.tile;
       const int y = layout.y0 + static_cast<int>(tile / columns) * options_.tile;
-      render_tile({x, y, std::min(x + options_.tile, layout.x1), std::min(y + options_.tile, layout.y1)}, first,
-                  count);
+      render_tile({x, y, std::min(x + options_.tile, layout.x1), std::min(y + options_.tile, layout.y1)},
+                  first, count);
       report(static_cast<double>(++done) / static_cast<double>(tiles), count, error);
     });
   }

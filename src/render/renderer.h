@@ -17,14 +17,14 @@ struct Crop {
 
 struct RenderOptions {
   FilmSettings film;
-  SamplingSettings sampling;   // spp is how many at most, rounded up to a whole number a replicate
-  bool spp_bounds = true;      // false: spp does not bound the render, the rules below do
+  SamplingSettings sampling;  // spp is how many at most, rounded up to a whole number a replicate
+  bool spp_bounds = true;     // false: spp does not bound the render, the rules below do
   double seconds = std::numeric_limits<double>::infinity();
-  double relative_error = 0;   // 0 asks for none
+  double relative_error = 0;  // 0 asks for none
   std::optional<Crop> crop;
-  bool layers = false;         // keep the integrator's layers apart
-  bool auxiliary = false;      // albedo, normal and depth of the first hit
-  int tile = 16;               // pixels a side; changes nothing in the image
+  bool layers = false;     // keep the integrator's layers apart
+  bool auxiliary = false;  // albedo, normal and depth of the first hit
+  int tile = 16;           // pixels a side; changes nothing in the image
 };
 
 // What a render reports while it runs, from any of its threads but never from two at a time.

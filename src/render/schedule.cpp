@@ -20,7 +20,9 @@ std::uint64_t Schedule::next(double elapsed_seconds, double relative_error) {
   }
   std::uint64_t pass = std::min({std::max<std::uint64_t>(1, done_), longest_pass, rule_.samples - done_});
   if (done_ > 0 && std::isfinite(rule_.seconds)) {
-    const double affordable = static_cast<double>(done_) * (rule_.seconds / elapsed_seconds - 1);
+    // The small excess keeps rounding from costing a sample.
+    const auto done = static_cast<double>(done_);
+    const double affordable = done * (rule_.seconds / elapsed_seconds) * (1 + 1e-12) - done;
     if (affordable < 1) {
       reason_ = fmt::format("time {:.3g} s", rule_.seconds);
       return 0;

@@ -19,9 +19,9 @@ bool count_bytes(void* counter, ssize_t bytes, bool) {
 void require_success(RTCDevice device, const char* what) {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return;
-  throw std::runtime_error(std::string("Embree failed to ") + what +
-                           (error == RTC_ERROR_OUT_OF_MEMORY ? ": out of memory"
-                                                             : ": error " + std::to_string(error)));
+  throw std::runtime_error(
+      std::string("Embree failed to ") + what +
+      (error == RTC_ERROR_OUT_OF_MEMORY ? ": out of memory" : ": error " + std::to_string(error)));
 }
 
 RTCGeometry triangle_geometry(RTCDevice device, const TracedMesh& mesh) {
@@ -38,7 +38,8 @@ RTCGeometry instance_geometry(RTCDevice device, RTCScene object, const Affine& t
   rtcSetGeometryInstancedScene(geometry, object);
   float matrix[12];  // columns
   for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) matrix[3 * column + row] = static_cast<float>(to_world.linear[column][row]);
+    for (int row = 0; row < 3; ++row)
+      matrix[3 * column + row] = static_cast<float>(to_world.linear[column][row]);
   for (int row = 0; row < 3; ++row) matrix[9 + row] = static_cast<float>(to_world.offset[row]);
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, matrix);
   return geometry;
@@ -48,10 +49,10 @@ RTCGeometry instance_geometry(RTCDevice device, RTCScene object, const Affine& t
 
 struct Accel::Impl {
   RTCDevice device = nullptr;
-  std::vector<RTCScene> scenes;                      // one a group
-  std::vector<std::vector<PieceContext>> contexts;   // likewise; Embree points into them
+  std::vector<RTCScene> scenes;                     // one a group
+  std::vector<std::vector<PieceContext>> contexts;  // likewise; Embree points into them
   std::atomic<ssize_t> bytes{0};
-  std::uint32_t first_instance = 0;                  // instances follow the world's own pieces
+  std::uint32_t first_instance = 0;  // instances follow the world's own pieces
 
   ~Impl() {
     for (RTCScene scene : scenes) rtcReleaseScene(scene);
@@ -86,7 +87,8 @@ struct Accel::Impl {
   }
 };
 
-Accel::Accel(const Geometry& geometry, const std::vector<Material>& materials, const std::vector<Texture>& textures)
+Accel::Accel(const Geometry& geometry, const std::vector<Material>& materials,
+             const std::vector<Texture>& textures)
     : impl_(new Impl) {
   impl_->device = rtcNewDevice("hugepages=1");
   if (impl_->device == nullptr) throw std::runtime_error("Embree cannot start on this processor");
@@ -140,7 +142,8 @@ std::optional<Hit> Accel::intersect(const Ray& ray) const {
   if (ray_hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const std::uint32_t top = ray_hit.hit.instID[0];
   const std::uint32_t instance = top == RTC_INVALID_GEOMETRY_ID ? no_index : top - impl_->first_instance;
-  return Hit{ray_hit.ray.tfar, instance, ray_hit.hit.geomID, ray_hit.hit.primID, {ray_hit.hit.u, ray_hit.hit.v}};
+  return Hit{
+      ray_hit.ray.tfar, instance, ray_hit.hit.geomID, ray_hit.hit.primID, {ray_hit.hit.u, ray_hit.hit.v}};
 }
 
 bool Accel::occluded(const Ray& ray) const {

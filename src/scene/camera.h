@@ -24,9 +24,11 @@ struct CameraSettings {
       parameter<&CameraSettings::look_at>("look_at", "a point in the middle of the image"),
       parameter<&CameraSettings::up>("up", "the way that is up in the image; not along the view"),
       parameter<&CameraSettings::fov>("fov", "vertical angle of view, degrees", Range{0, 180, true, true}),
-      parameter<&CameraSettings::lens_radius>("lens_radius", "of the thin lens; 0 is a pinhole", non_negative),
+      parameter<&CameraSettings::lens_radius>("lens_radius", "of the thin lens; 0 is a pinhole",
+                                              non_negative),
       parameter<&CameraSettings::focus_distance>(
-          "focus_distance", "of the sharp plane, along the view; 0 is the distance of look_at", non_negative)};
+          "focus_distance", "of the sharp plane, along the view; 0 is the distance of look_at",
+          non_negative)};
 };
 
 class Camera {

@@ -35,9 +35,9 @@ struct Instance {
 
 struct SceneDescription {
   CameraSettings camera;
-  std::vector<Texture> textures;    // prepare()d
+  std::vector<Texture> textures;  // prepare()d
   std::vector<Material> materials;
-  std::vector<Shape> shapes;        // in the world
+  std::vector<Shape> shapes;  // in the world
   std::vector<Object> objects;
   std::vector<Instance> instances;
   std::vector<LightKinds> lights;

@@ -50,13 +50,8 @@ class GroupBuilder {
   }
 
   static Rectangle transformed(const Rectangle& r, const Affine& map) {
-    Rectangle result{Vec3(map.point(Vec3d(r.origin))), Vec3(map.vector(Vec3d(r.edge_u))),
-                     Vec3(map.vector(Vec3d(r.edge_v)))};
-    if (map.determinant() >= 0) return result;
-    // A mirrored rectangle would face the other way: keep its outer side, as Mesh::transform() does.
-    result.origin += result.edge_u;
-    result.edge_u = -result.edge_u;
-    return result;
+    return {Vec3(map.point(Vec3d(r.origin))), Vec3(map.vector(Vec3d(r.edge_u))),
+            Vec3(map.vector(Vec3d(r.edge_v)))};
   }
 
   Geometry& geometry_;
@@ -106,8 +101,8 @@ GroupSurface mesh_surface(const TracedMesh& mesh, const Hit& hit) {
 }
 
 GroupSurface analytic_surface(const PlacedShape& placed, const Vec3d& p_group) {
-  const SurfacePoint point =
-      std::visit([&](const auto& shape) { return shape.nearest(placed.from_group.point(p_group)); }, placed.shape);
+  const SurfacePoint point = std::visit(
+      [&](const auto& shape) { return shape.nearest(placed.from_group.point(p_group)); }, placed.shape);
   GroupSurface s;
   s.p = Vec3(placed.to_group.point(point.p));
   s.ng = Vec3(glm::normalize(placed.from_group.transposed(point.n)));

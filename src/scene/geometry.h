@@ -43,7 +43,8 @@ struct Emitter {
   std::uint32_t instance, group, piece;
   Textured<Spectrum> emission;
   bool two_sided;
-  std::optional<Rectangle> rectangle;  // in group space; where the piece was one
+  std::optional<Rectangle>
+      rectangle;  // in group space; where the piece was one. Its triangles say where it faces
 };
 
 // Group 0 is the world; its pieces' emitters are the lights 0, 1, …

@@ -58,8 +58,7 @@ void for_each_material_parameter(Material& material, Visitor&& visitor) {
     Textured<std::remove_reference_t<decltype(lobe.*member)>> textured{lobe.*member};
     visitor(parameter.info, textured);
     lobe.*member = textured.value;
-    if (!textured.is_constant())
-      material.maps.push_back({detail::set_from_texture<member>, textured.map});
+    if (!textured.is_constant()) material.maps.push_back({detail::set_from_texture<member>, textured.map});
   };
   std::visit(
       [&](auto& lobe) {

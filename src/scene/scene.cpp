@@ -1,6 +1,7 @@
 // Building a scene and asking its lights.
 #include "scene/scene.h"
 
+#include <numeric>
 #include <set>
 
 namespace umbral {
@@ -15,7 +16,8 @@ Scene::Scene(SceneDescription description)
   radius_ = static_cast<float>(std::max(0.0, glm::length(bounds.high - bounds.low) / 2));
   if (!std::isfinite(radius_)) radius_ = 0;
 
-  for (const Emitter& emitter : geometry_.emitters) lights_.emplace_back(AreaLight(geometry_, emitter, textures_));
+  for (const Emitter& emitter : geometry_.emitters)
+    lights_.emplace_back(AreaLight(geometry_, emitter, materials_, textures_));
   for (const LightKinds& light : description.lights)
     std::visit([&](const auto& kind) { lights_.emplace_back(kind); }, light);
   if (description.environment) {
@@ -24,6 +26,11 @@ Scene::Scene(SceneDescription description)
   }
   std::vector<double> powers;
   for (const Light& light : lights_) powers.push_back(power(light));
+  // A share is dealt to all lights alike: a lamp's power may be as nothing against the sun's, over all the scene, and
+  // the lamp be the brightest light where it stands.
+  const double mean = std::accumulate(powers.begin(), powers.end(), 0.0) / static_cast<double>(powers.size());
+  for (double& weight : powers)
+    if (weight > 0) weight += 0.1 * mean;
   light_choice_ = Distribution1D(powers);
 }
 
@@ -60,7 +67,8 @@ std::optional<LightSample> Scene::sample_light(LightId light, const Vec3& p, con
 
 float Scene::light_pdf(const Surface& surface, const Vec3& wi, float distance) const {
   if (surface.light == LightId::none) return 0;
-  return light_choice_.probability(index_of(surface.light)) * area_light(surface.light).pdf(surface, wi, distance);
+  return light_choice_.probability(index_of(surface.light)) *
+         area_light(surface.light).pdf(surface, wi, distance);
 }
 
 float Scene::environment_pdf(const Vec3& wi) const {
@@ -71,7 +79,9 @@ float Scene::environment_pdf(const Vec3& wi) const {
 Ray Scene::shadow_ray(const Surface& surface, const LightSample& sample) {
   const Vec3 origin = surface.origin_towards(sample.wi);
   if (std::isinf(sample.distance)) return {origin, sample.wi};
-  return {origin, sample.target - origin, 0, 1};
+  const Vec3 way = sample.target - origin;
+  const float distance = glm::length(way);
+  return {origin, way / distance, 0, distance};
 }
 
 std::vector<std::string> Scene::features() const {

@@ -76,7 +76,7 @@ class Scene {
   std::vector<Material> materials_;
   Geometry geometry_;
   std::unique_ptr<Accel> accel_;
-  std::vector<Light> lights_;  // first the area lights, numbered as their emitters are
+  std::vector<Light> lights_;                      // first the area lights, numbered as their emitters are
   const EnvironmentLight* environment_ = nullptr;  // in lights_
   Distribution1D light_choice_;
   float radius_ = 0;

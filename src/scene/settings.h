@@ -22,11 +22,12 @@ struct FilmSettings {
 
   static constexpr const char* kind = "film";
   static constexpr const char* doc = "the image: its size and reconstruction filter";
-  static constexpr auto parameters = std::tuple{
-      parameter<&FilmSettings::width>("width", "pixels", Range{1, 65536}),
-      parameter<&FilmSettings::height>("height", "pixels", Range{1, 65536}),
-      parameter<&FilmSettings::filter>("filter", "which samples make a pixel"),
-      parameter<&FilmSettings::filter_radius>("filter_radius", "pixels; 0 is the filter's own", Range{0, 16})};
+  static constexpr auto parameters =
+      std::tuple{parameter<&FilmSettings::width>("width", "pixels", Range{1, 65536}),
+                 parameter<&FilmSettings::height>("height", "pixels", Range{1, 65536}),
+                 parameter<&FilmSettings::filter>("filter", "which samples make a pixel"),
+                 parameter<&FilmSettings::filter_radius>("filter_radius", "pixels; 0 is the filter's own",
+                                                         Range{0, 16})};
 };
 
 struct SamplingSettings {

@@ -12,16 +12,16 @@ struct Hit {
   std::uint32_t instance;  // no_index where the shape stands in the world itself
   std::uint32_t geometry;  // within the world, or within the instance's object
   std::uint32_t primitive;
-  Vec2 barycentric;        // of triangles
+  Vec2 barycentric;  // of triangles
 };
 
 // A point of a surface, in world space.
 struct Surface {
   Vec3 p;
-  Vec3 ng;          // geometric normal, unit, on the outer side (the one that emits)
-  Frame shading;    // its n is the interpolated normal, on the same side as ng
+  Vec3 ng;        // geometric normal, unit, on the outer side (the one that emits)
+  Frame shading;  // its n is the interpolated normal, on the same side as ng
   Vec2 uv;
-  float error;      // bound on how far p lies from the true surface, along ng; world units
+  float error;  // bound on how far p lies from the true surface, along ng; world units
   MaterialId material = MaterialId::none;
   LightId light = LightId::none;
 

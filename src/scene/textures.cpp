@@ -6,11 +6,16 @@ namespace {
 
 float channel_of(const Spectrum& value, TextureChannel channel) {
   switch (channel) {
-    case TextureChannel::luminance: return luminance(value);
-    case TextureChannel::r: return value.r;
-    case TextureChannel::g: return value.g;
-    case TextureChannel::b: return value.b;
-    case TextureChannel::a: return value.a;
+    case TextureChannel::luminance:
+      return luminance(value);
+    case TextureChannel::r:
+      return value.r;
+    case TextureChannel::g:
+      return value.g;
+    case TextureChannel::b:
+      return value.b;
+    case TextureChannel::a:
+      return value.a;
   }
   return 0;
 }
@@ -54,7 +59,8 @@ Spectrum Texture::color(const Vec2& uv) const {
 }
 
 float Texture::number(const Vec2& uv) const {
-  return std::visit([&](const auto& texture) { return channel_of(texture.evaluate(uv), texture.channel); }, kind);
+  return std::visit([&](const auto& texture) { return channel_of(texture.evaluate(uv), texture.channel); },
+                    kind);
 }
 
 TextureBounds Texture::color_bounds() const {

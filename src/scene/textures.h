@@ -59,17 +59,18 @@ struct ImageTexture {
 
   static constexpr const char* kind = "image";
   static constexpr const char* doc = "an image file: value = texel × factor + bias";
-  static constexpr auto parameters = std::tuple{
-      required<&ImageTexture::file>("file", "image file, relative to the scene file"),
-      parameter<&ImageTexture::color_space>("color_space", "how texels are stored; automatic: 8-bit is sRGB, float linear"),
-      parameter<&ImageTexture::wrap>("wrap", "what lies beyond the unit square"),
-      parameter<&ImageTexture::filter>("filter", "how texels are joined"),
-      parameter<&ImageTexture::channel>("channel", "what a parameter that takes one number gets"),
-      parameter<&ImageTexture::factor>("factor", "multiplies each texel"),
-      parameter<&ImageTexture::bias>("bias", "is added after the factor"),
-      parameter<&ImageTexture::uv_scale>("uv_scale", "repeats of the image in u and v"),
-      parameter<&ImageTexture::uv_rotation>("uv_rotation", "degrees, counter-clockwise"),
-      parameter<&ImageTexture::uv_offset>("uv_offset", "in repeats, after scale and rotation")};
+  static constexpr auto parameters =
+      std::tuple{required<&ImageTexture::file>("file", "image file, relative to the scene file"),
+                 parameter<&ImageTexture::color_space>(
+                     "color_space", "how texels are stored; automatic: 8-bit is sRGB, float linear"),
+                 parameter<&ImageTexture::wrap>("wrap", "what lies beyond the unit square"),
+                 parameter<&ImageTexture::filter>("filter", "how texels are joined"),
+                 parameter<&ImageTexture::channel>("channel", "what a parameter that takes one number gets"),
+                 parameter<&ImageTexture::factor>("factor", "multiplies each texel"),
+                 parameter<&ImageTexture::bias>("bias", "is added after the factor"),
+                 parameter<&ImageTexture::uv_scale>("uv_scale", "repeats of the image in u and v"),
+                 parameter<&ImageTexture::uv_rotation>("uv_rotation", "degrees, counter-clockwise"),
+                 parameter<&ImageTexture::uv_offset>("uv_offset", "in repeats, after scale and rotation")};
 
   // What the reader loads; the texture cannot be evaluated before.
   std::shared_ptr<const TextureImage> image = nullptr;

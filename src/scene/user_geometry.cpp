@@ -11,15 +11,20 @@ namespace {
 
 const PieceContext& context_of(void* pointer) { return *static_cast<const PieceContext*>(pointer); }
 
-// Whether a ray meets the surface at `uv`. The random number is a hash of the place and the ray's direction:
-// another one for every ray, the same for the same ray, and the same in a scene of another size.
-bool is_met(const PieceContext& context, const Vec2& uv, const Vec2& place, const Vec3& d, std::uint32_t primitive) {
+// What a ray meets, by Embree's numbers.
+struct Met {
+  unsigned instance, geometry, primitive;
+};
+
+// Whether a ray meets the surface at `uv`. The random number is a hash of the surface, the place and the ray's
+// direction: another one for every ray and layer, the same for the same ray, and the same in a scene of another size.
+bool is_met(const PieceContext& context, const Vec2& uv, const Vec2& place, const Vec3& d, const Met& met) {
   const Textured<float>& alpha = context.material->alpha;
   const float opacity =
       alpha.is_constant() ? alpha.value : (*context.textures)[index_of(alpha.map)].number(uv);
   if (opacity >= 1) return true;
   if (opacity <= 0) return false;
-  std::uint64_t hash = primitive;
+  std::uint64_t hash = hash_combine((std::uint64_t{met.instance} << 32) | met.geometry, met.primitive);
   for (const float x : {place.x, place.y, d.x / glm::length(d), d.y / glm::length(d)})
     hash = hash_combine(hash, std::bit_cast<std::uint32_t>(x));
   return unit_float(static_cast<std::uint32_t>(hash >> 32)) < opacity;
@@ -33,7 +38,7 @@ void alpha_filter(const RTCFilterFunctionNArguments* args) {
   const Vec2 barycentric{hit->u, hit->v};
   const Vec2 uv = context.geometry->meshes[context.piece->mesh].uv(hit->primID, barycentric);
   const Vec3 d{ray->dir_x, ray->dir_y, ray->dir_z};
-  if (!is_met(context, uv, barycentric, d, hit->primID)) args->valid[0] = 0;
+  if (!is_met(context, uv, barycentric, d, {hit->instID[0], hit->geomID, hit->primID})) args->valid[0] = 0;
 }
 
 void user_bounds(const RTCBoundsFunctionArguments* args) {
@@ -51,7 +56,7 @@ void user_bounds(const RTCBoundsFunctionArguments* args) {
 }
 
 // The first t of the ray at which the shape is met, alpha considered.
-std::optional<float> first_hit(const PieceContext& context, const RTCRay& ray) {
+std::optional<float> first_hit(const PieceContext& context, const RTCRay& ray, const Met& met) {
   const PlacedShape& placed = context.geometry->analytics[context.piece->analytic];
   const Vec3d d_group(ray.dir_x, ray.dir_y, ray.dir_z);
   const Vec3d o = placed.from_group.point({ray.org_x, ray.org_y, ray.org_z});
@@ -62,8 +67,9 @@ std::optional<float> first_hit(const PieceContext& context, const RTCRay& ray) {
         std::visit([&](const auto& shape) { return shape.intersect(o, d, t_min, ray.tfar); }, placed.shape);
     if (!t) return std::nullopt;
     if (context.material->is_opaque()) return static_cast<float>(*t);
-    const Vec2 uv = std::visit([&](const auto& shape) { return Vec2(shape.nearest(o + *t * d).uv); }, placed.shape);
-    if (is_met(context, uv, uv, Vec3(d_group), 0)) return static_cast<float>(*t);
+    const Vec2 uv =
+        std::visit([&](const auto& shape) { return Vec2(shape.nearest(o + *t * d).uv); }, placed.shape);
+    if (is_met(context, uv, uv, Vec3(d_group), met)) return static_cast<float>(*t);
     t_min = std::nextafter(*t, std::numeric_limits<double>::infinity());
   }
 }
@@ -71,7 +77,8 @@ std::optional<float> first_hit(const PieceContext& context, const RTCRay& ray) {
 void user_intersect(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   auto* ray_hit = reinterpret_cast<RTCRayHit*>(args->rayhit);
-  const std::optional<float> t = first_hit(context_of(args->geometryUserPtr), ray_hit->ray);
+  const Met met{args->context->instID[0], args->geomID, args->primID};
+  const std::optional<float> t = first_hit(context_of(args->geometryUserPtr), ray_hit->ray, met);
   if (!t) return;
   ray_hit->ray.tfar = *t;
   ray_hit->hit.u = ray_hit->hit.v = 0;
@@ -83,7 +90,9 @@ void user_intersect(const RTCIntersectFunctionNArguments* args) {
 void user_occluded(const RTCOccludedFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   auto* ray = reinterpret_cast<RTCRay*>(args->ray);
-  if (first_hit(context_of(args->geometryUserPtr), *ray)) ray->tfar = -std::numeric_limits<float>::infinity();
+  const Met met{args->context->instID[0], args->geomID, args->primID};
+  if (first_hit(context_of(args->geometryUserPtr), *ray, met))
+    ray->tfar = -std::numeric_limits<float>::infinity();
 }
 
 void* user_pointer(const PieceContext& context) { return const_cast<PieceContext*>(&context); }

@@ -153,6 +153,7 @@ void ObjParser::read_face() {
 }
 
 void ObjParser::use_material() {
+  in_.at_line_end();
   const Place place = here();
   const std::string name(in_.rest_of_line());
   const auto [entry, is_new] =

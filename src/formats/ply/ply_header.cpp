@@ -70,9 +70,10 @@ PlyType HeaderParser::read_type() {
 }
 
 void HeaderParser::read_property() {
+  const bool empty = in_.at_line_end();
   if (header_.elements.empty()) fail(in_.position(), "a property comes before any element");
   PlyProperty property{};
-  if (!in_.at_line_end() && *in_.position() == 'l') {
+  if (!empty && *in_.position() == 'l') {
     word();
     property.is_list = true;
     in_.at_line_end();

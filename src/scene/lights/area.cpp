@@ -5,13 +5,15 @@
 
 namespace umbral {
 
-AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std::vector<Texture>& textures)
+AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std::vector<Material>& materials,
+                     const std::vector<Texture>& textures)
     : geometry_(&geometry), textures_(&textures), emitter_(emitter) {
   if (emitter.instance != no_index) {
     to_world_ = geometry.instances[emitter.instance].to_world;
     from_world_ = geometry.instances[emitter.instance].from_world;
   }
   const Piece& piece = geometry.groups[emitter.group].pieces[emitter.piece];
+  opacity_ = materials[index_of(piece.material)].alpha;
   if (piece.analytic != no_index) {
     analytic_ = &geometry.analytics[piece.analytic];
     to_world_ = to_world_ * analytic_->to_group;
@@ -24,7 +26,8 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
   areas.reserve(mesh_->triangles.size());
   for (const glm::uvec3& t : mesh_->triangles) {
     const Vec3d a = world(mesh_->vertices[t.x].p);
-    areas.push_back(glm::length(cross(world(mesh_->vertices[t.y].p) - a, world(mesh_->vertices[t.z].p) - a)) / 2);
+    areas.push_back(glm::length(cross(world(mesh_->vertices[t.y].p) - a, world(mesh_->vertices[t.z].p) - a)) /
+                    2);
     area_ += areas.back();
   }
   inverse_area_ = static_cast<float>(1 / area_);
@@ -33,8 +36,12 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
     return;
   }
   const Rectangle& r = *emitter.rectangle;
-  rectangle_ = {Vec3(world(r.origin)), Vec3(to_world_.vector(Vec3d(r.edge_u))), Vec3(to_world_.vector(Vec3d(r.edge_v)))};
-  const Vec3d normal = cross(Vec3d(r.edge_u), Vec3d(r.edge_v));
+  rectangle_ = {Vec3(world(r.origin)), Vec3(to_world_.vector(Vec3d(r.edge_u))),
+                Vec3(to_world_.vector(Vec3d(r.edge_v)))};
+  // Of its triangles: they were turned where a mirror turned the edges.
+  const glm::uvec3& t = mesh_->triangles[0];
+  const Vec3d corner(mesh_->vertices[t.x].p);
+  const Vec3d normal = cross(Vec3d(mesh_->vertices[t.y].p) - corner, Vec3d(mesh_->vertices[t.z].p) - corner);
   rectangle_normal_ = Vec3(glm::normalize(from_world_.transposed(normal)));
 }
 
@@ -42,7 +49,8 @@ Vec3d AreaLight::world(const Vec3& p) const { return to_world_.point(Vec3d(p)); 
 
 AreaLight::Point AreaLight::rectangle_point(const Vec2& u) const {
   const Vec3 p = rectangle_.origin + u.x * rectangle_.edge_u + u.y * rectangle_.edge_v;
-  const Vec3 magnitude = glm::abs(rectangle_.origin) + glm::abs(rectangle_.edge_u) + glm::abs(rectangle_.edge_v);
+  const Vec3 magnitude =
+      glm::abs(rectangle_.origin) + glm::abs(rectangle_.edge_u) + glm::abs(rectangle_.edge_v);
   return {p, rectangle_normal_, magnitude, u, 0};
 }
 
@@ -54,7 +62,8 @@ AreaLight::Point AreaLight::mesh_point(const Vec2& u) const {
   const Vec3 &a = mesh_->vertices[t.x].p, &e = mesh_->vertices[t.y].p, &f = mesh_->vertices[t.z].p;
   const Vec3d p = world((1 - b.x - b.y) * a + b.x * e + b.y * f);
   const Vec3d n = cross(Vec3d(e) - Vec3d(a), Vec3d(f) - Vec3d(a));
-  const Vec3 corners = glm::max(glm::abs(Vec3(world(a))), glm::max(glm::abs(Vec3(world(e))), glm::abs(Vec3(world(f)))));
+  const Vec3 corners =
+      glm::max(glm::abs(Vec3(world(a))), glm::max(glm::abs(Vec3(world(e))), glm::abs(Vec3(world(f)))));
   return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))), corners, mesh_->uv(index, b), 0};
 }
 
@@ -85,7 +94,7 @@ std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const
   const Vec3 wi = to_light / distance;
   const float cosine = -dot(wi, q.n);  // positive on the outer side
   if (cosine == 0 || (cosine < 0 && !emitter_.two_sided)) return std::nullopt;
-  const Spectrum radiance = emission_at(q.uv);
+  const Spectrum radiance = emission_at(q.uv) * opacity_at(q.uv);
   const float pdf = q.pdf * sqr(distance) / std::abs(cosine);
   if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
   const float error = surface_error(q.magnitude);
@@ -110,6 +119,12 @@ Spectrum AreaLight::emission_at(const Vec2& uv) const {
   return (*textures_)[index_of(emitter_.emission.map)].color(uv) * rgb(1, 1, 1);
 }
 
+// Rays meet the surface with this probability; samples, which go straight to it, carry it as a factor.
+float AreaLight::opacity_at(const Vec2& uv) const {
+  if (opacity_.is_constant()) return opacity_.value;
+  return glm::clamp((*textures_)[index_of(opacity_.map)].number(uv), 0.0f, 1.0f);
+}
+
 Spectrum AreaLight::emitted(const Surface& surface, const Vec3& wo) const {
   if (dot(wo, surface.ng) <= 0 && !emitter_.two_sided) return black;
   return emission_at(surface.uv);
@@ -123,7 +138,7 @@ double AreaLight::power() const {
     for (int x = 0; x < grid; ++x) {
       const Vec2 u{(static_cast<float>(x) + 0.5f) / grid, (static_cast<float>(y) + 0.5f) / grid};
       const Point q = point(u);
-      sum += (luminance(emission_at(q.uv)) + least_emission()) / q.pdf;
+      sum += (luminance(emission_at(q.uv)) * opacity_at(q.uv) + least_emission()) / q.pdf;
     }
   return sum / (grid * grid) * pi_d * (emitter_.two_sided ? 2 : 1);
 }

@@ -14,7 +14,8 @@ namespace umbral {
 class AreaLight {
  public:
   // `geometry` must outlive the light.
-  AreaLight(const Geometry& geometry, const Emitter& emitter, const std::vector<Texture>& textures);
+  AreaLight(const Geometry& geometry, const Emitter& emitter, const std::vector<Material>& materials,
+            const std::vector<Texture>& textures);
 
   std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const;
 
@@ -24,7 +25,7 @@ class AreaLight {
   // Radiance leaving `surface` towards `wo`; wo away from it, world.
   Spectrum emitted(const Surface& surface, const Vec3& wo) const;
 
-  double power() const;  // of the mean emission over the piece, W
+  double power() const;  // of the mean emission over the piece, as far as it is opaque, W
 
  private:
   struct Point {
@@ -41,18 +42,20 @@ class AreaLight {
   Vec3d world(const Vec3& p) const;
   float area_pdf(const Vec3& n) const;  // n: unit, world, outer side
   Spectrum emission_at(const Vec2& uv) const;
+  float opacity_at(const Vec2& uv) const;
   float least_emission() const;
 
   const Geometry* geometry_;
   const std::vector<Texture>* textures_;
   Emitter emitter_;
-  const TracedMesh* mesh_ = nullptr;            // of a triangle mesh
-  const PlacedShape* analytic_ = nullptr; // of the others
-  Affine to_world_, from_world_;          // from group space; from canonical space where analytic
-  Distribution1D triangles_;              // by world area; empty for rectangles
-  Rectangle rectangle_;                   // world
-  Vec3 rectangle_normal_{0};              // unit, world, outer side
-  double area_ = 0;                       // world; canonical where analytic
+  Textured<float> opacity_{1};
+  const TracedMesh* mesh_ = nullptr;       // of a triangle mesh
+  const PlacedShape* analytic_ = nullptr;  // of the others
+  Affine to_world_, from_world_;           // from group space; from canonical space where analytic
+  Distribution1D triangles_;               // by world area; empty for rectangles
+  Rectangle rectangle_;                    // world
+  Vec3 rectangle_normal_{0};               // unit, world, outer side
+  double area_ = 0;                        // world; canonical where analytic
   float inverse_area_ = 0;
 };
 

@@ -38,9 +38,17 @@ void EnvironmentLight::prepare() {
   mean_luminance_ *= texels_->sum() / sines;
 }
 
+namespace {
+
+// Of the angle between a unit vector and the y axis.
+float sine_of(const Vec3& d) { return std::sqrt(d.x * d.x + d.z * d.z); }
+
+}  // namespace
+
 Vec2 EnvironmentLight::uv_of(const Vec3& d) const {
   const float azimuth = std::atan2(d.x, -d.z) / two_pi + 0.5f + rotation / 360;
-  return {azimuth - std::floor(azimuth), 1 - std::acos(glm::clamp(d.y, -1.0f, 1.0f)) * inverse_pi};
+  // By the arc tangent: near the poles the cosine alone has lost the angle.
+  return {azimuth - std::floor(azimuth), 1 - std::atan2(sine_of(d), d.y) * inverse_pi};
 }
 
 Spectrum EnvironmentLight::emitted(const Vec3& direction) const {
@@ -66,7 +74,7 @@ std::optional<LightSample> EnvironmentLight::sample(const Vec2& u) const {
 
 float EnvironmentLight::pdf(const Vec3& direction) const {
   if (!image) return sphere_pdf;
-  const float sine = std::sqrt(std::max(0.0f, 1 - direction.y * direction.y));
+  const float sine = sine_of(direction);
   if (!(sine > 0)) return 0;
   return texels_->pdf(uv_of(direction)) / (2 * pi * pi * sine);
 }

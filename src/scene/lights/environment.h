@@ -25,7 +25,8 @@ struct EnvironmentLight {
   static constexpr const char* doc = "light from every direction at infinite distance";
   static constexpr auto parameters = std::tuple{
       parameter<&EnvironmentLight::radiance>("radiance", "W m⁻² sr⁻¹; multiplies the image", non_negative),
-      parameter<&EnvironmentLight::file>("file", "latitude-longitude image, +y up, relative to the scene file"),
+      parameter<&EnvironmentLight::file>("file",
+                                         "latitude-longitude image, +y up, relative to the scene file"),
       parameter<&EnvironmentLight::rotation>("rotation", "about +y, degrees, counter-clockwise from above")};
 
   std::shared_ptr<const TextureImage> image = nullptr;  // what the reader loads where there is a file

@@ -16,9 +16,9 @@ struct PointLight {
 
   static constexpr const char* kind = "point";
   static constexpr const char* doc = "a point that shines the same way everywhere";
-  static constexpr auto parameters = std::tuple{
-      parameter<&PointLight::position>("position", "world"),
-      parameter<&PointLight::intensity>("intensity", "I, radiant intensity, W/sr", non_negative)};
+  static constexpr auto parameters =
+      std::tuple{parameter<&PointLight::position>("position", "world"),
+                 parameter<&PointLight::intensity>("intensity", "I, radiant intensity, W/sr", non_negative)};
 
   std::optional<LightSample> sample(const Vec3& p) const;
   double power() const { return 4 * pi_d * luminance(intensity); }

@@ -20,14 +20,14 @@ struct SpotLight {
 
   static constexpr const char* kind = "spot";
   static constexpr const char* doc = "a point that shines into a cone with a soft edge";
-  static constexpr auto parameters = std::tuple{
-      parameter<&SpotLight::position>("position", "world"),
-      parameter<&SpotLight::target>("target", "a point on its axis, world"),
-      parameter<&SpotLight::intensity>("intensity", "I on the axis, W/sr", non_negative),
-      parameter<&SpotLight::cone_angle>("cone_angle", "from the axis to where it ends, degrees",
-                                        Range{0, 180, true, false}),
-      parameter<&SpotLight::edge_angle>("edge_angle", "over which it fades, inside the cone, degrees",
-                                        Range{0, 180})};
+  static constexpr auto parameters =
+      std::tuple{parameter<&SpotLight::position>("position", "world"),
+                 parameter<&SpotLight::target>("target", "a point on its axis, world"),
+                 parameter<&SpotLight::intensity>("intensity", "I on the axis, W/sr", non_negative),
+                 parameter<&SpotLight::cone_angle>("cone_angle", "from the axis to where it ends, degrees",
+                                                   Range{0, 180, true, false}),
+                 parameter<&SpotLight::edge_angle>(
+                     "edge_angle", "over which it fades, inside the cone, degrees", Range{0, 180})};
 
   std::optional<LightSample> sample(const Vec3& p) const;
   double power() const;

@@ -15,8 +15,9 @@ struct Box {
 
   static constexpr const char* kind = "box";
   static constexpr const char* doc = "a box with faces along the axes (turn it by 'transform')";
-  static constexpr auto parameters = std::tuple{parameter<&Box::low>("low", "the corner with the lowest x, y, z"),
-                                                parameter<&Box::high>("high", "the corner with the highest x, y, z")};
+  static constexpr auto parameters =
+      std::tuple{parameter<&Box::low>("low", "the corner with the lowest x, y, z"),
+                 parameter<&Box::high>("high", "the corner with the highest x, y, z")};
 
   Mesh triangulated() const;
 };

@@ -15,7 +15,8 @@ struct Mesh {
   std::string file;
 
   static constexpr const char* kind = "mesh";
-  static constexpr const char* doc = "triangles from a PLY or OBJ file, or from 'vertices' and 'faces' written out";
+  static constexpr const char* doc =
+      "triangles from a PLY or OBJ file, or from 'vertices' and 'faces' written out";
   static constexpr auto parameters =
       std::tuple{parameter<&Mesh::file>("file", "PLY or OBJ file, relative to the scene file")};
 

@@ -25,13 +25,14 @@ struct SurfacePoint {
 // radius); placement() carries its canonical form to the space that those speak of. All in double: the float ray
 // that Embree passes is exact in double, and so a hit loses nothing to cancellation.
 template <class T>
-concept ParametricShape = requires(const T& shape, const Vec3d& v, double t, const Vec2& u, const glm::dvec2& uv) {
-  { shape.placement() } -> std::same_as<Affine>;      // canonical to the space of the parameters
-  { shape.bounds() } -> std::same_as<Bounds>;         // everything below: canonical space
+concept ParametricShape = requires(const T& shape, const Vec3d& v, double t, const Vec2& u,
+                                   const glm::dvec2& uv) {
+  { shape.placement() } -> std::same_as<Affine>;  // canonical to the space of the parameters
+  { shape.bounds() } -> std::same_as<Bounds>;     // everything below: canonical space
   { shape.area() } -> std::same_as<double>;
-  { shape.at(uv) } -> std::same_as<SurfacePoint>;     // the parametrisation
-  { shape.nearest(v) } -> std::same_as<SurfacePoint>; // for a point within rounding of the surface
-  { shape.sample(u) } -> std::same_as<SurfacePoint>;  // uniform by area
+  { shape.at(uv) } -> std::same_as<SurfacePoint>;      // the parametrisation
+  { shape.nearest(v) } -> std::same_as<SurfacePoint>;  // for a point within rounding of the surface
+  { shape.sample(u) } -> std::same_as<SurfacePoint>;   // uniform by area
   // The first t in (t_min, t_max) at which o + t d is on the surface; d of any length.
   { shape.intersect(v, v, t, t) } -> std::same_as<std::optional<double>>;
 };

@@ -16,10 +16,10 @@ struct Rectangle {
 
   static constexpr const char* kind = "rectangle";
   static constexpr const char* doc = "a flat parallelogram; faces the way of edge_u × edge_v";
-  static constexpr auto parameters = std::tuple{
-      parameter<&Rectangle::origin>("origin", "the corner where u = v = 0"),
-      parameter<&Rectangle::edge_u>("edge_u", "from the origin to the corner u = 1"),
-      parameter<&Rectangle::edge_v>("edge_v", "from the origin to the corner v = 1")};
+  static constexpr auto parameters =
+      std::tuple{parameter<&Rectangle::origin>("origin", "the corner where u = v = 0"),
+                 parameter<&Rectangle::edge_u>("edge_u", "from the origin to the corner u = 1"),
+                 parameter<&Rectangle::edge_v>("edge_v", "from the origin to the corner v = 1")};
 
   Mesh triangulated() const;
 };

@@ -25,7 +25,7 @@ static_assert(ParametricShape<Sphere> && ParametricShape<Disk> && ParametricShap
 struct Shape {
   std::string name;  // for messages; may be empty
   ShapeKinds kind;
-  Affine to_world;   // or to the object that holds it
+  Affine to_world;  // or to the object that holds it
   MaterialId material = MaterialId::none;
   Textured<Spectrum> emission{black};  // radiance; W m⁻² sr⁻¹
   bool two_sided = false;              // emits on the inner side too
