@@ -49,7 +49,8 @@ intensity = 40
   ~Cli() override { fs::remove_all(folder_); }
 
   Outcome run(const std::string& arguments, const std::string& prefix = "") const {
-    const std::string command = "cd '" + folder_.string() + "' && " + prefix + " " UMBRAL_PROGRAM " " + arguments + " 2>&1";
+    const std::string command =
+        "cd '" + folder_.string() + "' && " + prefix + " " UMBRAL_PROGRAM " " + arguments + " 2>&1";
     std::FILE* pipe = popen(command.c_str(), "r");
     std::string text;
     char buffer[4096];
@@ -81,7 +82,8 @@ TEST_F(Cli, ThreadsChangeNothing) {
   ASSERT_EQ(run("render room.toml --threads 1 -o a.exr").exit_code, 0);
   ASSERT_EQ(run("render room.toml --threads 2 -o b.exr").exit_code, 0);
   const ExrImage a = read_exr((folder_ / "a.exr").string()), b = read_exr((folder_ / "b.exr").string());
-  for (const ExrChannel& channel : a.channels) EXPECT_EQ(channel.pixels, b.find(channel.name)->pixels) << channel.name;
+  for (const ExrChannel& channel : a.channels)
+    EXPECT_EQ(channel.pixels, b.find(channel.name)->pixels) << channel.name;
 }
 
 TEST_F(Cli, LayersAreChannelsThatAddUp) {
@@ -175,7 +177,8 @@ TEST_F(Cli, CheckCountsWarnings) {
 }
 
 TEST_F(Cli, HelpExplainsEveryKindOfEveryGroup) {
-  for (const std::string group : {"material", "texture", "shape", "light", "integrator", "camera", "film", "sampling"}) {
+  for (const std::string group :
+       {"material", "texture", "shape", "light", "integrator", "camera", "film", "sampling"}) {
     const Outcome outcome = run("help " + group);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_TRUE(has(outcome, "default ")) << group;

@@ -23,7 +23,8 @@ std::string contents(const std::filesystem::path& path) {
 std::set<std::string> citations(const std::string& text) {
   static const std::regex pattern(R"(\[([A-Z][A-Za-z' -]+(?: et al\.)? [12][0-9]{3}))");
   std::set<std::string> found;
-  for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator(); ++match)
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator();
+       ++match)
     found.insert((*match)[1]);
   return found;
 }
@@ -40,7 +41,8 @@ TEST(References, EveryCitationResolves) {
     if (entry.is_regular_file())
       for (const std::string& citation : citations(contents(entry.path()))) {
         ++count;
-        EXPECT_NE(references.find("**" + citation + "**"), std::string::npos) << entry.path() << " cites " << citation;
+        EXPECT_NE(references.find("**" + citation + "**"), std::string::npos)
+            << entry.path() << " cites " << citation;
       }
   EXPECT_GT(count, 10u);
 }

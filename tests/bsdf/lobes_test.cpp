@@ -1,0 +1,327 @@
+// One suite over every lobe of the closed list: what the concept cannot say, each lobe must do.
+#include "bsdf/lobes.h"
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "core/kinds.h"
+#include "lobe_examples.h"
+#include "support/chi_square.h"
+#include "support/sphere_cells.h"
+
+namespace umbral {
+namespace {
+
+using namespace test;
+
+template <class>
+struct TypesOf;
+template <class... T>
+struct TypesOf<std::variant<T...>> {
+  using type = testing::Types<T...>;
+};
+struct KindNames {
+  template <class T>
+  static std::string GetName(int) {
+    return T::kind;
+  }
+};
+
+template <class Lobe>
+class EveryLobe : public testing::Test {};
+TYPED_TEST_SUITE(EveryLobe, TypesOf<Lobes>::type, KindNames);
+
+// Outgoing directions from the normal to 0.06° above the horizon, on both sides.
+const std::array directions{direction_at(1, 0),    direction_at(0.9, 1),   direction_at(-0.6, 2.5),
+                            direction_at(0.25, 4), direction_at(-0.05, 6), direction_at(0.001, 5)};
+
+// Numbers that a sampler gives, the two ends among them.
+const std::array<float, 6> edge_numbers{0, 0x1p-32f, 0x1p-24f, 0.5f, 0.999f, one_minus_epsilon};
+
+const std::array edge_directions{direction_at(1, 0),        direction_at(-1, 0),    direction_at(0.5, 2),
+                                 direction_at(1e-4, 1),     direction_at(-1e-8, 3), direction_at(1e-18, 5),
+                                 direction_at(-1e-30, 0.3), direction_at(1e-42, 4), Vec3{1, 0, 0.0f},
+                                 Vec3{0.6f, -0.8f, 0.0f},   Vec3{-1, 0, -0.0f},     Vec3{0, 0, 1}};
+
+template <class Lobe>
+std::string text_of(const Lobe& lobe, const Vec3& wo) {
+  std::ostringstream text;
+  struct Print {
+    std::ostringstream& text;
+    void operator()(const ParameterInfo& info, float x) { text << info.name << " = " << x << ", "; }
+    void operator()(const ParameterInfo& info, const Spectrum& s) {
+      text << info.name << " = (" << s.r << ", " << s.g << ", " << s.b << "), ";
+    }
+  };
+  for_each_parameter(lobe, Print{text});
+  text << "wo = (" << wo.x << ", " << wo.y << ", " << wo.z << ")";
+  return text.str();
+}
+
+template <class Lobe>
+std::optional<BsdfSample> draw(const Lobe& lobe, const Vec3& wo, Random& random) {
+  const float u1 = random.number();
+  const Vec2 u2 = random.square();
+  return lobe.sample(wo, u1, u2);
+}
+
+// Cells for the directions that the lobe scatters wo to, but for its mirror-like part.
+template <class Lobe>
+SphereCells cells_of(const Lobe& lobe, const Vec3& wo, Random& random) {
+  std::vector<Vec3> pilot;
+  for (int i = 0; i < 1 << 12; ++i)
+    if (const auto sample = draw(lobe, wo, random); sample && !sample->delta) pilot.push_back(sample->wi);
+  return {pilot, 32};
+}
+
+template <class F>
+double total_of(const SphereCells& cells, F&& f) {
+  double total = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) total += cells.integral_of(i, f);
+  return total;
+}
+
+// What makes energy of radiance scattered from wi to wo: undoes its change between two media.
+template <class Lobe>
+float flux_scale(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
+  if constexpr (refracts<Lobe>) {
+    if (!same_side(wo, wi)) return sqr(wo.z > 0 ? lobe.eta : 1 / lobe.eta);
+  }
+  return 1;
+}
+
+TYPED_TEST(EveryLobe, DrawsDirectionsByItsDensity) {
+  Random random(1);
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(8))
+    for (const Vec3& wo : directions) {
+      SCOPED_TRACE(text_of(lobe, wo));
+      const SphereCells cells = cells_of(lobe, wo, random);
+      std::vector<double> observed(cells.size() + 1), expected(cells.size() + 1);
+      constexpr int draws = 100'000;
+      for (int i = 0; i < draws; ++i) {
+        const auto sample = draw(lobe, wo, random);
+        ++observed[sample && !sample->delta ? cells.find(sample->wi) : cells.size()];
+      }
+      double total = 0;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double mass = cells.integral_of(i, [&](const Vec3& wi) { return lobe.pdf(wo, wi); });
+        expected[i] = draws * mass;
+        total += mass;
+      }
+      EXPECT_LE(total, 1 + 1e-5);
+      expected.back() = draws * std::max(0.0, 1 - total);
+      const ChiSquare chi = chi_square(observed, expected);
+      EXPECT_GT(chi.p, 1e-5) << "chi² " << chi.statistic << " with " << chi.degrees << " degrees of freedom";
+    }
+}
+
+TYPED_TEST(EveryLobe, SamplesAgreeWithEvaluation) {
+  Random random(2);
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(40))
+    for (const Vec3& wo : directions)
+      for (int i = 0; i < 200; ++i) {
+        const auto sample = draw(lobe, wo, random);
+        if (!sample || sample->delta) continue;
+        SCOPED_TRACE(text_of(lobe, wo));
+        EXPECT_EQ(sample->pdf, lobe.pdf(wo, sample->wi));
+        const Spectrum f_cos = lobe.f_cos(wo, sample->wi);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(sample->weight[c] * sample->pdf, f_cos[c], 1e-6 * f_cos[c]);
+      }
+}
+
+TYPED_TEST(EveryLobe, IsReciprocal) {
+  Random random(3);
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(40))
+    for (int i = 0; i < 500; ++i) {
+      const Vec3 a(random.direction());
+      // Half of the pairs are drawn by the lobe, where its peak is.
+      Vec3 b(random.direction());
+      if (const auto sample = draw(lobe, a, random); sample && i % 2 == 0) b = sample->wi;
+      if (std::abs(a.z) < 1e-3f || std::abs(b.z) < 1e-3f) continue;
+      const auto scattered = [&](const Vec3& wo, const Vec3& wi) {
+        Spectrum f = lobe.f_cos(wo, wi) / std::abs(wi.z);
+        if constexpr (refracts<TypeParam>) {
+          if (wo.z < 0) f /= sqr(lobe.eta);
+        }
+        return f;
+      };
+      const Spectrum there = scattered(a, b), back = scattered(b, a);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(there[c], back[c], 2e-6 * there[c] + 1e-30) << text_of(lobe, a);
+    }
+}
+
+TYPED_TEST(EveryLobe, ReflectsNoMoreThanArrives) {
+  Random random(4);
+  int channel = 0;
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(8))
+    for (const Vec3& wo : directions) {
+      SCOPED_TRACE(text_of(lobe, wo));
+      channel = (channel + 1) % 3;
+      const auto flux = [&](const Vec3& wi) {
+        return flux_scale(lobe, wo, wi) * lobe.f_cos(wo, wi)[channel];
+      };
+      double albedo = total_of(cells_of(lobe, wo, random), flux);
+      // The mirror-like part is only known by its draws: midpoints of a grid, of which u1 chooses among parts.
+      constexpr int grid = 4096;
+      for (int i = 0; i < grid; ++i) {
+        const auto sample = lobe.sample(wo, (static_cast<float>(i) + 0.5f) / grid, {0.5f, 0.5f});
+        if (sample && sample->delta)
+          albedo += flux_scale(lobe, wo, sample->wi) * sample->weight[channel] / grid;
+      }
+      EXPECT_LE(albedo, 1 + 2e-5) << "channel " << channel;
+    }
+}
+
+// The mean weight of the draws is the albedo by quadrature: no part of f is out of the sampling's reach.
+TYPED_TEST(EveryLobe, DrawsReachAllThatItReflects) {
+  Random random(5);
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(8))
+    for (const Vec3& wo : directions) {
+      SCOPED_TRACE(text_of(lobe, wo));
+      const double albedo =
+          total_of(cells_of(lobe, wo, random), [&](const Vec3& wi) { return luminance(lobe.f_cos(wo, wi)); });
+      constexpr int draws = 20'000;
+      double sum = 0, squares = 0;
+      for (int i = 0; i < draws; ++i) {
+        const auto sample = draw(lobe, wo, random);
+        const double weight = sample && !sample->delta ? luminance(sample->weight) : 0;
+        sum += weight;
+        squares += sqr(weight);
+      }
+      const double mean = sum / draws;
+      const double error = std::sqrt(std::max(0.0, squares / draws - sqr(mean)) / draws);
+      EXPECT_NEAR(mean, albedo, 5 * error + 1e-4 * albedo);
+    }
+}
+
+TYPED_TEST(EveryLobe, StaysFiniteAtTheEndsOfEveryRange) {
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(40))
+    for (const Vec3& wo : edge_directions) {
+      for (const Vec3& wi : edge_directions) {
+        const Spectrum f_cos = lobe.f_cos(wo, wi);
+        const float pdf = lobe.pdf(wo, wi);
+        EXPECT_TRUE(is_finite(f_cos) && min_component(f_cos) >= 0)
+            << text_of(lobe, wo) << ", z of wi = " << wi.z;
+        EXPECT_TRUE(std::isfinite(pdf) && pdf >= 0) << text_of(lobe, wo) << ", z of wi = " << wi.z;
+        if (wo.z * wi.z <= 0 && !refracts<TypeParam>) {
+          EXPECT_EQ(pdf, 0);
+          EXPECT_TRUE(is_black(f_cos));
+        }
+      }
+      for (const float u1 : edge_numbers)
+        for (const float x : edge_numbers)
+          for (const float y : edge_numbers) {
+            const auto sample = lobe.sample(wo, u1, {x, y});
+            if (!sample) continue;
+            EXPECT_NEAR(glm::length(sample->wi), 1, 1e-5) << text_of(lobe, wo);
+            EXPECT_TRUE(is_finite(sample->weight) && min_component(sample->weight) >= 0) << text_of(lobe, wo);
+            EXPECT_TRUE(sample->delta || (std::isfinite(sample->pdf) && sample->pdf > 0))
+                << text_of(lobe, wo);
+          }
+    }
+}
+
+TYPED_TEST(EveryLobe, IsTheSameFromBothSides) {
+  if (refracts<TypeParam>) GTEST_SKIP() << TypeParam::kind << " has an inside and an outside";
+  Random random(6);
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(40))
+    for (const Vec3& wo : directions)
+      for (int i = 0; i < 50; ++i) {
+        const Vec3 wi(random.direction());
+        EXPECT_EQ(lobe.f_cos(wo, wi), lobe.f_cos(flipped(wo), flipped(wi)));
+        EXPECT_EQ(lobe.pdf(wo, wi), lobe.pdf(flipped(wo), flipped(wi)));
+        const float u1 = random.number();
+        const Vec2 u2 = random.square();
+        const auto above = lobe.sample(wo, u1, u2), below = lobe.sample(flipped(wo), u1, u2);
+        ASSERT_EQ(above.has_value(), below.has_value()) << text_of(lobe, wo);
+        if (!above) continue;
+        EXPECT_EQ(above->wi, flipped(below->wi));
+        EXPECT_EQ(above->weight, below->weight);
+        EXPECT_EQ(above->pdf, below->pdf);
+        EXPECT_EQ(above->delta, below->delta);
+      }
+}
+
+TYPED_TEST(EveryLobe, TellsTheTruthAboutItsParts) {
+  Random random(7);
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(20))
+    for (const Vec3& wo : directions)
+      for (int i = 0; i < 200; ++i) {
+        const float u1 = random.number(), other = random.number();
+        const Vec2 u2 = random.square();
+        const auto sample = lobe.sample(wo, u1, u2);
+        if (!TypeParam::has_choice) {
+          const auto same = lobe.sample(wo, other, u2);
+          ASSERT_EQ(sample.has_value(), same.has_value());
+          EXPECT_TRUE(!sample || sample->wi == same->wi) << "u1 is looked at";
+        }
+        if (!TypeParam::only_delta) continue;
+        const Vec3 wi = sample ? sample->wi : Vec3(random.direction());
+        EXPECT_TRUE(!sample || sample->delta);
+        EXPECT_TRUE(is_black(lobe.f_cos(wo, wi))) << "a mirror cannot be evaluated";
+        EXPECT_EQ(lobe.pdf(wo, wi), 0);
+      }
+}
+
+TYPED_TEST(EveryLobe, HasAnAlbedoAndALocalModelWithinTheirRanges) {
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(100)) {
+    const BlinnPhongCoefficients k = lobe.local_model();
+    for (const Spectrum& s : {lobe.albedo(), k.ka, k.kd, k.ks}) {
+      EXPECT_GE(min_component(s), 0);
+      EXPECT_LE(max_component(s), 1 + 1e-6f);
+    }
+    EXPECT_TRUE(k.exponent >= 0 && k.exponent <= 1e6f) << k.exponent;
+  }
+}
+
+TYPED_TEST(EveryLobe, DescribesEachParameterOnceAndStartsWithinItsRange) {
+  std::set<std::string> names;
+  struct Check {
+    std::set<std::string>& names;
+    void operator()(const ParameterInfo& info, float value) {
+      EXPECT_TRUE(names.insert(info.name).second) << info.name;
+      EXPECT_TRUE(info.range.contains(value)) << info.name;
+    }
+    void operator()(const ParameterInfo& info, const Spectrum& value) {
+      EXPECT_TRUE(names.insert(info.name).second) << info.name;
+      for (int c = 0; c < 3; ++c) EXPECT_TRUE(info.range.contains(value[c])) << info.name;
+    }
+  };
+  const TypeParam lobe;
+  for_each_parameter(lobe, Check{names});
+  EXPECT_FALSE(names.empty());
+}
+
+TEST(Lobes, HaveNamesOfTheirOwnByWhichTheyAreMade) {
+  const std::vector<std::string> kinds = kind_names<Lobes>();
+  EXPECT_EQ(kinds.size(), std::variant_size_v<Lobes>);
+  EXPECT_EQ(std::set<std::string>(kinds.begin(), kinds.end()).size(), kinds.size());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const auto lobe = make_kind<Lobes>(kinds[i]);
+    ASSERT_TRUE(lobe) << kinds[i];
+    EXPECT_EQ(lobe->index(), i);
+  }
+  EXPECT_FALSE(make_kind<Lobes>("mate"));
+}
+
+TEST(Lobes, PassOnWhatTheirAlternativesDo) {
+  const BlinnPhong lobe{rgb(0.2f, 0.3f, 0.4f), rgb(0.5f, 0.4f, 0.3f), 50};
+  const Lobes lobes = lobe;
+  const Vec3 wo = direction_at(0.7, 1), wi = direction_at(0.6, 4);
+  EXPECT_EQ(f_cos(lobes, wo, wi), lobe.f_cos(wo, wi));
+  EXPECT_EQ(pdf(lobes, wo, wi), lobe.pdf(wo, wi));
+  EXPECT_EQ(sample(lobes, wo, 0.9f, {0.3f, 0.6f})->wi, lobe.sample(wo, 0.9f, {0.3f, 0.6f})->wi);
+  EXPECT_EQ(albedo(lobes), lobe.albedo());
+  EXPECT_EQ(to_blinn_phong(lobes).ks, lobe.ks);
+  EXPECT_FALSE(only_delta(lobes));
+  EXPECT_TRUE(has_choice(lobes));
+  EXPECT_TRUE(only_delta(Lobes{Mirror{}}));
+  EXPECT_FALSE(has_choice(Lobes{Lambert{}}));
+}
+
+}  // namespace
+}  // namespace umbral

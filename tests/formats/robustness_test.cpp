@@ -1,0 +1,154 @@
+// Broken input never crashes: it loads or is refused with located errors.
+#include <random>
+
+#include "scene_folder.h"
+
+namespace umbral {
+namespace {
+
+using test::SceneFolder;
+
+constexpr const char* toml_scene = R"([camera]
+position = [0, 1, 4]
+look_at = [0, 1, 0]
+[film]
+width = 64
+[textures.check]
+type = "checker"
+even = [0.9, 0.9, 0.9]
+[materials.floor]
+type = "blinn_phong"
+kd = "check"
+exponent = { type = "checker", even = 3, odd = 70 }
+[[shapes]]
+type = "mesh"
+vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0.9, 0.1, 0]]
+faces = [[0, 1, 2, 3]]
+material = "floor"
+transform = [{ scale = 2 }, { rotate = { axis = [0, 1, 0], degrees = 30 } }]
+[objects.ball]
+[[objects.ball.shapes]]
+type = "torus"
+emission = "#ffeedd"
+[[instances]]
+object = "ball"
+[[lights]]
+type = "spot"
+)";
+
+constexpr const char* obj_scene =
+    "mtllib m.mtl\nv 0 0 0\nv 1 0 0 0.5\nv 1 1 0\nv .9 .1e0 0\nvt 0 0\nvt 1 1 0\nvn 0 0 1\nvn 0 0 0\ng "
+    "a\nusemtl m\n"
+    "f 1/1/1 2/2/2 3/1/1 4/2/2\nf -1 -2 -3\nl 1 2\nf 1//1 2//2 \\\n3//1\n";
+
+constexpr const char* mtl_scene =
+    "newmtl m\nKd 0.5 0.5 0.5\nKs .2 .2 .2\nNs 1e2\nd 0.5\nNi 1.5\nillum 2\nKe 1 1 1\nmap_Kd -s 1 2 3 -o 1 "
+    "t.tga\n"
+    "map_d -imfchan r t.tga\nPr 1\n";
+
+std::string ply_scene(bool binary) {
+  std::string text = std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
+                     " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                     "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
+                     "property list uchar int vertex_indices\nend_header\n";
+  if (!binary) return text + "0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n.9 .1 0 0 0 1\n4 0 1 2 3\n";
+  const float numbers[24] = {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 0.9f, 0.1f, 0, 0, 0, 1};
+  const std::int32_t indices[4] = {0, 1, 2, 3};
+  text.append(reinterpret_cast<const char*>(numbers), sizeof(numbers));
+  text += '\4';
+  return text.append(reinterpret_cast<const char*>(indices), sizeof(indices));
+}
+
+struct Sample {
+  const char* file;   // that is broken
+  const char* scene;  // that is read
+  std::string bytes;
+};
+
+std::vector<Sample> samples() {
+  return {{"scene.toml", "scene.toml", toml_scene},
+          {"m.obj", "m.obj", obj_scene},
+          {"m.mtl", "m.obj", mtl_scene},
+          {"a.ply", "a.ply", ply_scene(false)},
+          {"b.ply", "b.ply", ply_scene(true)},
+          {"t.tga", "m.obj", test::tga(4, 4, 10, 20, 30, 40)}};
+}
+
+struct FolderWithAll : SceneFolder {
+  FolderWithAll() {
+    for (const Sample& sample : samples()) write(sample.file, sample.bytes);
+  }
+};
+
+// True if the file loads; errors that are not SceneError, or have no message or file, fail the test.
+bool loads(const SceneFolder& folder, const std::string& name) {
+  try {
+    folder.read(name);
+    return true;
+  } catch (const SceneError& error) {
+    EXPECT_FALSE(error.diagnostics().empty());
+    for (const Diagnostic& diagnostic : error.diagnostics()) {
+      EXPECT_FALSE(diagnostic.message.empty());
+      EXPECT_FALSE(diagnostic.where.file.empty());
+    }
+  }
+  return false;
+}
+
+TEST(BrokenFiles, TheSamplesLoadWhole) {
+  const FolderWithAll folder;
+  for (const Sample& sample : samples())
+    EXPECT_TRUE(loads(folder, sample.scene)) << folder.errors(sample.scene);
+}
+
+TEST(BrokenFiles, CutAnywhere) {
+  const FolderWithAll folder;
+  for (const Sample& sample : samples()) {
+    int refused = 0;
+    for (std::size_t size = 0; size < sample.bytes.size(); ++size) {
+      folder.write(sample.file, sample.bytes.substr(0, size));
+      refused += loads(folder, sample.scene) ? 0 : 1;
+    }
+    // A cut texture leaves the material's constant, as a missing one does.
+    if (sample.file != std::string("t.tga")) {
+      EXPECT_GT(refused, 10) << sample.file;
+    }
+    folder.write(sample.file, sample.bytes);
+  }
+}
+
+TEST(BrokenFiles, WithBytesChangedAtRandom) {
+  const FolderWithAll folder;
+  std::mt19937 random(1);
+  const std::string alphabet = "0123456789.-+eE/\\#[]{}=\"\n\r\t vtnfx\xff";
+  for (const Sample& sample : samples()) {
+    for (int trial = 0; trial < 400; ++trial) {
+      std::string bytes = sample.bytes;
+      for (int changes = 1 + trial % 4; changes > 0; --changes) {
+        const std::size_t at = random() % bytes.size();
+        bytes[at] = trial % 2 == 0 ? static_cast<char>(random()) : alphabet[random() % alphabet.size()];
+      }
+      folder.write(sample.file, bytes);
+      loads(folder, sample.scene);
+    }
+    folder.write(sample.file, sample.bytes);
+  }
+}
+
+TEST(BrokenFiles, ThatAreNoFilesAreNamed) {
+  const SceneFolder folder;
+  std::filesystem::create_directory(folder.path("folder.toml"));
+  EXPECT_EQ(folder.errors("folder.toml"), "folder.toml: error: cannot be read: it is a directory");
+  std::filesystem::create_symlink("/dev/zero", folder.path("zero.obj"));
+  EXPECT_EQ(folder.errors("zero.obj"), "zero.obj: error: cannot be read: it is a device");
+  std::filesystem::create_symlink("loop.ply", folder.path("loop.ply"));
+  EXPECT_EQ(folder.errors("loop.ply"), "loop.ply: error: cannot be read: Too many levels of symbolic links");
+}
+
+TEST(BrokenFiles, DeepNestingIsRefused) {
+  const SceneFolder folder;
+  EXPECT_NE(folder.errors_of_toml("x = " + std::string(100000, '[')), "no error");
+}
+
+}  // namespace
+}  // namespace umbral

@@ -1,0 +1,81 @@
+// No ray leaves a closed mesh between its triangles, from within or from far away.
+#include <gtest/gtest.h>
+
+#include "worlds.h"
+
+namespace umbral {
+namespace {
+
+using namespace test;
+
+// Rays from within that meet nothing, towards points at vertices and edges among others.
+int leaks_from_within(const Mesh& mesh, const Affine& place, int rays, bool at_edges = true) {
+  Random random(1);
+  const Scene scene(world_of(mesh, place, false));
+  int leaks = 0;
+  for (int i = 0; i < rays; ++i) {
+    const Vec3 o(place.point(random.in_cube(0.4)));
+    Vec3 d(random.direction());
+    if (at_edges && i % 2 == 0) {
+      // At a vertex or through an edge.
+      const glm::uvec3& t = mesh.triangles[random.below(mesh.triangles.size())];
+      const double s = i % 4 == 0 ? 0 : random.between(0, 1);
+      const Vec3d target = (1 - s) * Vec3d(mesh.positions[t.x]) + s * Vec3d(mesh.positions[t.y]);
+      d = Vec3(place.point(target) - Vec3d(o));
+    }
+    leaks += !scene.intersect({o, d});
+  }
+  return leaks;
+}
+
+TEST(Watertight, SphereKeepsEveryRayWithin) {
+  EXPECT_EQ(leaks_from_within(icosphere(5), {}, 1'000'000, false), 0);
+}
+
+TEST(Watertight, BoxKeepsEveryRayWithin) {
+  EXPECT_EQ(leaks_from_within(box({-1, -1, -1}, {1, 1, 1}).triangulated(), {}, 1'000'000), 0);
+}
+
+TEST(Watertight, FarSphereKeepsEveryRayWithin) {
+  const Affine place = translation({148376, 1234, -223423}) * scaling(Vec3d(2));
+  EXPECT_EQ(leaks_from_within(icosphere(5), place, 1'000'000), 0);
+}
+
+// Rays from afar to the middle of a turned box, past its corners and along the diagonals of its faces.
+TEST(Watertight, BoxSeenFromFarHasNoHoles) {
+  Random random(2);
+  int holes = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Scene scene(world_of(box({-1, -1, -1}, {1, 1, 1}), random_rotation(random), false));
+    for (int i = 0; i < 50'000; ++i) {
+      const double distance = random.log_between(3, 1e4);
+      const Vec3d eye = distance * random.direction();
+      // Within the sphere inside the box: every line to there meets the box.
+      const Vec3 target(0.99 * random.between(0, 1) * random.direction());
+      holes += !scene.intersect({Vec3(eye), glm::normalize(target - Vec3(eye))});
+    }
+  }
+  EXPECT_EQ(holes, 0);
+}
+
+// The same through the diagonal that the two triangles of each face share.
+TEST(Watertight, DiagonalsOfFacesHaveNoGaps) {
+  Random random(3);
+  int holes = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Affine turn = random_rotation(random);
+    const Rectangle face = rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    const Scene scene(world_of(face, turn, false));
+    for (int i = 0; i < 50'000; ++i) {
+      const double s = random.between(-0.99, 0.99);
+      const Vec3 target(turn.point({s, s, 0}));
+      const Vec3d eye = random.log_between(1, 1e4) * random.direction();
+      if (std::abs(dot(glm::normalize(eye), turn.vector({0, 0, 1}))) < 0.05) continue;
+      holes += !scene.intersect({Vec3(eye), glm::normalize(target - Vec3(eye))});
+    }
+  }
+  EXPECT_EQ(holes, 0);
+}
+
+}  // namespace
+}  // namespace umbral

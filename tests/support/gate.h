@@ -1,0 +1,89 @@
+// The statistical gate: whole-image replicates against an oracle or against each other, with power in the verdict.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/math.h"
+
+namespace umbral::test {
+
+// Mean radiance of each pixel, row by row from the top.
+struct PixelImage {
+  int width = 0, height = 0;
+  std::vector<Vec3d> pixels;
+
+  const Vec3d& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+};
+
+// The chance that a run of everything gated, all of it right, raises any alarm at first, and again when what
+// raised it is repeated. It is shared evenly among as many experiments as there may be (Bonferroni), because each
+// runs as a test of its own, and within an experiment among its statistics by Holm [1979].
+inline constexpr double suite_alpha = 1e-3, repeated_suite_alpha = 1e-4;
+inline constexpr int most_experiments = 80;
+
+// Replicates of an image. With 32, Student's t needs 0.6 times the samples that it needs with 16.
+inline constexpr int gate_replicates = 32;
+
+struct GateSettings {
+  double alpha = suite_alpha / most_experiments;  // of this experiment
+  int tiles = 4;                                  // a side of the image; 1 judges the mean of the image alone
+  // What single precision and the oracle's own quadrature may be off by, relative: not a difference.
+  double resolution = 1e-5;
+  double image_mde = 0.005, tile_mde = 0.03;  // smallest relative differences that must not go unseen
+};
+
+// One number tested: the mean of the image or of a tile, in one channel.
+struct Statistic {
+  std::string name;
+  bool of_image = false;
+  double measured = 0, expected = 0;
+  double standard_error = 0, degrees_of_freedom = 0;  // of measured − expected
+  double skewness = 0;                                // of the replicates
+  double p = 1;                                       // two-sided
+  double mde = 0;  // relative difference that is found in about nine cases of ten
+};
+
+enum class Outcome {
+  agrees,
+  differs,
+  underpowered,  // a difference that matters could go unseen
+  skewed,        // Student's t does not hold for these replicates
+};
+
+struct Judgement {
+  Outcome outcome = Outcome::agrees;
+  std::vector<Statistic> statistics;
+  std::vector<std::size_t> rejected;  // by Holm's procedure, most significant first
+
+  double worst_mde(bool of_image) const;
+  double smallest_p() const;
+  double mean_skewness() const;
+  std::string text() const;  // of several lines if something is wrong
+};
+
+// One-sample t tests against the truth; at least two replicates.
+Judgement judged(const std::vector<PixelImage>& replicates, const PixelImage& truth,
+                 const GateSettings& settings);
+// Welch's t tests of two sets of replicates.
+Judgement judged(const std::vector<PixelImage>& a, const std::vector<PixelImage>& b,
+                 const GateSettings& settings);
+
+// Which of the p-values Holm's step-down procedure rejects, smallest first.
+std::vector<std::size_t> holm(const std::vector<double>& p, double alpha);
+
+// Renders one replicate; `effort` multiplies its samples.
+using RenderReplicate = std::function<PixelImage(std::uint64_t seed, int effort)>;
+
+// gate_replicates with fixed seeds; where they differ from the truth, as many fresh ones of four times the samples
+// decide at repeated_suite_alpha. What was measured is printed and recorded with the test.
+testing::AssertionResult agrees_with(const PixelImage& truth, const RenderReplicate& render,
+                                     GateSettings settings = {});
+testing::AssertionResult same_mean(const RenderReplicate& a, const RenderReplicate& b,
+                                   GateSettings settings = {});
+
+}  // namespace umbral::test
