@@ -14,7 +14,8 @@ Mesh grid(int cells, const Position& position) {
   const auto row = static_cast<unsigned>(cells + 1);
   for (unsigned j = 0; j < row; ++j)
     for (unsigned i = 0; i < row; ++i) {
-      const Vec2 uv{static_cast<float>(i) / static_cast<float>(cells), static_cast<float>(j) / static_cast<float>(cells)};
+      const Vec2 uv{static_cast<float>(i) / static_cast<float>(cells),
+                    static_cast<float>(j) / static_cast<float>(cells)};
       mesh.positions.push_back(position(uv.x, uv.y));
       mesh.uvs.push_back(uv);
     }
@@ -28,14 +29,18 @@ Mesh grid(int cells, const Position& position) {
 }
 
 // A smooth bump of height about 1.
-float bump(float u, float v) { return 0.5f * (std::sin(23 * u) * std::cos(19 * v) + std::sin(41 * v + 7 * u)); }
+float bump(float u, float v) {
+  return 0.5f * (std::sin(23 * u) * std::cos(19 * v) + std::sin(41 * v + 7 * u));
+}
 
 std::shared_ptr<const TextureImage> noise_image(int size, std::uint64_t seed) {
   TexelGrid<Srgb8> texels(size, size);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       const std::uint64_t bits = hash_combine(seed, static_cast<std::uint64_t>((y / 4) * size + x / 4));
-      const auto channel = [&](int shift) { return static_cast<std::uint8_t>(120 + ((bits >> shift) & 127u)); };
+      const auto channel = [&](int shift) {
+        return static_cast<std::uint8_t>(120 + ((bits >> shift) & 127u));
+      };
       texels.set(x, y, {channel(0), channel(8), channel(16), 255});
     }
   return std::make_shared<TextureImage>(TextureImage::Texels(std::move(texels)));
@@ -49,7 +54,8 @@ MaterialId add_textured(SceneDescription& scene, std::uint64_t seed) {
   scene.textures.back().prepare();
   Material material;
   for_each_material_parameter(material, [&](const ParameterInfo& info, auto& value) {
-    if (std::string(info.name) == "reflectance") value.map = static_cast<TextureId>(scene.textures.size() - 1);
+    if (std::string(info.name) == "reflectance")
+      value.map = static_cast<TextureId>(scene.textures.size() - 1);
   });
   scene.materials.push_back(material);
   return static_cast<MaterialId>(scene.materials.size() - 1);
@@ -85,18 +91,20 @@ SceneDescription textured_room() {
         add_textured(scene, scene.shapes.size()));
   };
   const Vec3 x{4, 0, 0}, y{0, 3, 0}, z{0, 0, 4};
-  wall({-2, 0, -2}, z, x);       // floor
-  wall({-2, 3, -2}, x, z);       // ceiling
-  wall({-2, 0, -2}, x, y);       // back
-  wall({-2, 0, -2}, y, z);       // left
-  wall({2, 0, -2}, z, y);        // right
-  wall({2, 0, 2.2f}, -x, y);     // front, behind the camera
+  wall({-2, 0, -2}, z, x);    // floor
+  wall({-2, 3, -2}, x, z);    // ceiling
+  wall({-2, 0, -2}, x, y);    // back
+  wall({-2, 0, -2}, y, z);    // left
+  wall({2, 0, -2}, z, y);     // right
+  wall({2, 0, 2.2f}, -x, y);  // front, behind the camera
   for (const float side : {-0.8f, 0.9f})
-    add(scene, grid(cells, [&](float a, float b) {
-          const float phi = two_pi * a, theta = pi * (1 - b), r = 0.6f + 0.03f * bump(a, b);
-          return Vec3{side, 0.65f, side / 2} +
-                 r * Vec3{std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi)};
-        }),
+    add(scene,
+        grid(cells,
+             [&](float a, float b) {
+               const float phi = two_pi * a, theta = pi * (1 - b), r = 0.6f + 0.03f * bump(a, b);
+               return Vec3{side, 0.65f, side / 2} + r * Vec3{std::sin(theta) * std::cos(phi), std::cos(theta),
+                                                             -std::sin(theta) * std::sin(phi)};
+             }),
         add_textured(scene, scene.shapes.size()));
   add(scene, Rectangle{{-0.5f, 2.9f, -0.5f}, {1, 0, 0}, {0, 0, 1}}, add_matte(scene, 0), grey(12));
   scene.camera.position = {0, 1.5f, 2};
@@ -118,9 +126,9 @@ SceneDescription instanced_field() {
   scene.objects.push_back({"stone", {stone}});
   for (int i = 0; i < 1000; ++i) {
     const double column = i % 32 - 15.5, row = i / 32 - 15.5;
-    scene.instances.push_back({static_cast<ObjectId>(0), translation({column, 0.4, row}) *
-                                                             rotation({0, 1, 0}, 0.7 * i) *
-                                                             scaling({1, 0.6 + 0.001 * (i % 400), 1})});
+    scene.instances.push_back(
+        {static_cast<ObjectId>(0), translation({column, 0.4, row}) * rotation({0, 1, 0}, 0.7 * i) *
+                                       scaling({1, 0.6 + 0.001 * (i % 400), 1})});
   }
   add(scene, Rectangle{{-20, 0, -20}, {0, 0, 40}, {40, 0, 0}}, matte);
   add(scene, Rectangle{{-4, 9, -4}, {8, 0, 0}, {0, 0, 8}}, matte, grey(15));

@@ -54,10 +54,10 @@ void run(const std::string& name, int threads, int spp) {
   const double cpu = cpu_seconds() - before;
   const ImageError error = result.film->image_error();
   const double paths_a_second = error.samples / cpu / 1e6;
-  fmt::print("{:<14} {:8.3f} {:8.2f} {:8.3f} {:8.1f} {:9.0f} {:11.0f} {:8.2f} {:10.3g}\n", name, paths_a_second,
-             paths_a_second * rays_a_path, error.samples / result.seconds / 1e6, 100 * embree.share(),
-             peak_mebibytes(), static_cast<double>(scene.accel_bytes()) / (1 << 20), 100 * error.relative(),
-             1 / (sqr(error.relative()) * cpu));
+  fmt::print("{:<14} {:8.3f} {:8.2f} {:8.3f} {:8.1f} {:9.0f} {:11.0f} {:8.2f} {:10.3g}\n", name,
+             paths_a_second, paths_a_second * rays_a_path, error.samples / result.seconds / 1e6,
+             100 * embree.share(), peak_mebibytes(), static_cast<double>(scene.accel_bytes()) / (1 << 20),
+             100 * error.relative(), 1 / (sqr(error.relative()) * cpu));
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ void run(const std::string& name, int threads, int spp) {
 
 int main(int argc, char** argv) {
   if (argc == 2 && std::string(argv[1]) == "--header") {
-    fmt::print("{:<14} {:>8} {:>8} {:>8} {:>8} {:>9} {:>11} {:>8} {:>10}\n", "scene", "Mpath/sc", "Mray/sc", "Mpath/s",
-               "Embree %", "peak MiB", "Embree MiB", "error %", "eff. /sc");
+    fmt::print("{:<14} {:>8} {:>8} {:>8} {:>8} {:>9} {:>11} {:>8} {:>10}\n", "scene", "Mpath/sc", "Mray/sc",
+               "Mpath/s", "Embree %", "peak MiB", "Embree MiB", "error %", "eff. /sc");
     return 0;
   }
   try {
