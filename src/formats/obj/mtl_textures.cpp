@@ -2,6 +2,7 @@
 #include "formats/obj/mtl_textures.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -13,8 +14,9 @@ std::filesystem::path MtlTextures::found(const MtlMap& map) {
   const std::filesystem::path plain = (folder_ / map.file).lexically_normal();
   const std::filesystem::path turned = (folder_ / name).lexically_normal();
   const std::filesystem::path beside = folder_ / std::filesystem::path(name).filename();
+  std::error_code absent;
   for (const auto& candidate : {plain, turned, beside})
-    if (std::filesystem::exists(candidate)) {
+    if (std::filesystem::exists(candidate, absent)) {
       if (candidate == beside && beside != plain)
         notes_.push_back(fmt::format("'{}' was found as '{}'", map.file, beside.string()));
       return candidate;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -78,8 +79,9 @@ void ObjScene::add_mesh(ObjMesh mesh, const Affine& to_world, ShapeList& shapes)
 
 // The name may have spaces; only if there is no such file it is a list of names.
 void ObjScene::read_libraries() {
+  std::error_code absent;
   for (const ObjName& library : file_.libraries) {
-    if (std::filesystem::is_regular_file(path_.parent_path() / library.name)) {
+    if (std::filesystem::is_regular_file(path_.parent_path() / library.name, absent)) {
       read_library(library.name, library.place);
       continue;
     }
