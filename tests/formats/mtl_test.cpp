@@ -206,7 +206,8 @@ TEST(Mtl, MapsAreFoundBesideTheFileWhereTheirPathIsForeign) {
 
 TEST(Mtl, NamesTooLongForAnyFileAreMissingFiles) {
   const std::string name(100000, 'x');
-  EXPECT_TRUE(contains(MtlScene("Kd 1\nmap_Kd " + name + "\n").warnings(), "cannot be read: File name too long"));
+  EXPECT_TRUE(
+      contains(MtlScene("Kd 1\nmap_Kd " + name + "\n").warnings(), "cannot be read: File name too long"));
   const SceneFolder folder;
   folder.write("m.obj", "mtllib " + name + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_TRUE(contains(folder.warnings(folder.read("m.obj")), "cannot be read: File name too long"));
