@@ -68,18 +68,30 @@ float normalising_power(float x) {
   return std::bit_cast<float>(glm::clamp(0x7f000000u - exponent, 0x00800000u, 0x7f000000u));
 }
 
+struct Facet {
+  Vec3 n;
+  float sliver;  // see facet_of()
+};
+
+// The normal of a triangle, and what the ray traversal may misjudge the distance to it by beyond surface_error(): the
+// products of its edges that make the normal round by their size, which in slivers is far above that of the normal.
 // Scaled by a power of two first, which is exact: tiny edges then keep clear of denormal numbers, and a scene of
 // another size has the same normals to the bit.
-Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+Facet facet_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a;
-  const float scale = normalising_power(max_component(glm::max(glm::abs(ab), glm::abs(ac))));
-  return glm::normalize(cross(ab * scale, ac * scale));
+  const Vec3 extent = glm::max(glm::abs(ab), glm::abs(ac));
+  const float scale = normalising_power(max_component(extent));
+  const Vec3 n = cross(ab * scale, ac * scale), e = extent * scale;
+  const float inverse_length = 1 / glm::length(n);
+  constexpr float relative = 4 * std::numeric_limits<float>::epsilon();
+  return {n * inverse_length, relative * e.x * e.y * e.z * inverse_length / scale};
 }
 
 // Of group space, before an instance moves it.
 struct GroupSurface {
   Vec3 p, ng, ns;
-  Vec3 magnitude;  // of the numbers that p was made from
+  Vec3 magnitude;    // of the numbers that p was made from
+  float sliver = 0;  // of its Facet
   Vec2 uv;
 };
 
@@ -89,7 +101,9 @@ GroupSurface mesh_surface(const TracedMesh& mesh, const Hit& hit) {
   const Vec3 w = weights(hit.barycentric);
   GroupSurface s;
   s.p = w.x * a.p + w.y * b.p + w.z * c.p;
-  s.ng = triangle_normal(a.p, b.p, c.p);
+  const Facet facet = facet_of(a.p, b.p, c.p);
+  s.ng = facet.n;
+  s.sliver = facet.sliver;
   s.magnitude = glm::max(glm::abs(a.p), glm::max(glm::abs(b.p), glm::abs(c.p)));
   s.uv = mesh.mapped ? w.x * a.uv + w.y * b.uv + w.z * c.uv : hit.barycentric;
   s.ns = s.ng;
@@ -123,13 +137,14 @@ Vec3 facing_normal(const Vec3& ns, const Vec3& ng, const Vec3& wo) {
 }
 
 void move_to_world(GroupSurface& s, const Placement& placement) {
-  const glm::dmat3& m = placement.to_world.linear;
-  const glm::dmat3 absolute(glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2]));
   const bool smooth = s.ns != s.ng;
   s.p = Vec3(placement.to_world.point(Vec3d(s.p)));
-  s.ng = Vec3(glm::normalize(placement.from_world.transposed(Vec3d(s.ng))));
+  const Vec3d ng = placement.from_world.transposed(Vec3d(s.ng));
+  const double inverse_length = 1 / glm::length(ng);
+  s.ng = Vec3(ng * inverse_length);
+  s.sliver *= static_cast<float>(inverse_length);
   s.ns = smooth ? Vec3(glm::normalize(placement.from_world.transposed(Vec3d(s.ns)))) : s.ng;
-  s.magnitude = Vec3(absolute * Vec3d(s.magnitude) + glm::abs(placement.to_world.offset));
+  s.magnitude = Vec3(placement.to_world.magnitude(Vec3d(s.magnitude)));
 }
 
 }  // namespace
@@ -147,7 +162,8 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
   }
   if (placement) move_to_world(s, *placement);
   if (s.ns != s.ng) s.ns = facing_normal(s.ns, s.ng, -glm::normalize(ray.d));
-  Surface surface{s.p, s.ng, frame_from_normal(s.ns), s.uv, surface_error(s.magnitude), piece.material};
+  Surface surface{s.p, s.ng, frame_from_normal(s.ns), s.uv, 0, piece.material};
+  surface.error = surface_error(s.magnitude) + s.sliver;
   if (piece.emitter != no_index)
     surface.light = static_cast<LightId>(piece.emitter + (placement ? placement->first_light : 0));
   return surface;

@@ -15,6 +15,10 @@ struct Affine {
   // Of a normal, not of unit length: the transpose of the *inverse* map's linear part is what carries normals,
   // so this is called on the inverse of the map that carries the points.
   Vec3d transposed(const Vec3d& n) const { return glm::transpose(linear) * n; }
+  // Of the numbers that point() adds up, for a point whose coordinates are no larger than `m`.
+  Vec3d magnitude(const Vec3d& m) const {
+    return glm::dmat3(glm::abs(linear[0]), glm::abs(linear[1]), glm::abs(linear[2])) * m + glm::abs(offset);
+  }
   double determinant() const { return glm::determinant(linear); }
   bool is_identity() const { return linear == glm::dmat3(1.0) && offset == Vec3d(0, 0, 0); }
 };

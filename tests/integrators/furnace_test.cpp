@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Hulls, FurnaceOracle,
                                          Case{Hull::box, way(Strategy::bsdf, sobol), 48},
                                          Case{Hull::torus, way(Strategy::mis, sobol), 40},
                                          Case{Hull::torus, way(Strategy::bsdf, independent), 80},
-                                         Case{Hull::torus, way(Strategy::light, sobol), 120},
+                                         Case{Hull::torus, way(Strategy::light, sobol), 100},
                                          Case{Hull::ellipsoid, way(Strategy::mis, independent), 64},
                                          Case{Hull::ellipsoid, way(Strategy::light, sobol), 48}),
                          case_name);

@@ -133,6 +133,16 @@ TEST(GateCalibration, WhatIsTooNoisyToTellFails) {
   const auto noisy = [&](std::uint64_t, int) { return synthetic.replicate(1, 0.5); };
   EXPECT_EQ(judged(synthetic.replicates(), truth(), settings_at(1e-5)).outcome, Outcome::underpowered);
   EXPECT_FALSE(agrees_with(truth(), noisy, settings_at(1e-5)));
+  const auto quieter_with_effort = [&](std::uint64_t, int effort) {
+    return synthetic.replicate(1, 0.02 / std::sqrt(effort));
+  };
+  int repeated = 0;
+  const auto counted = [&](std::uint64_t seed, int effort) {
+    repeated += effort > 1;
+    return quieter_with_effort(seed, effort);
+  };
+  EXPECT_TRUE(agrees_with(truth(), counted, settings_at(1e-5)));
+  EXPECT_EQ(repeated, gate_replicates);
 }
 
 TEST(GateCalibration, RareBrightReplicatesAreInconclusive) {

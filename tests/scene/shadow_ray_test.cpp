@@ -10,21 +10,24 @@ using namespace test;
 
 constexpr LightId light{0};
 
-// A floor below a light, both turned, scaled and moved together.
-struct Stage {
-  Scene scene;
-  Vec3d up;
-};
-
-// `blocker_height` < 0: none; else a thin sheet there, between the floor at 0 and the light at 1 and above.
-SceneDescription stage(const ShapeKinds& emitter, const Affine& place, double blocker_height) {
+// A floor below a light, turned, scaled and moved together. `sheet_height` < 0: nothing between; else a thin sheet
+// there, between the floor at 0 and the light at 1 and above. An instanced light is moved away within its object
+// and back by its place.
+SceneDescription stage(const ShapeKinds& emitter, const Affine& place, double sheet_height, bool instanced = false) {
   SceneDescription description;
   const MaterialId matte = add_matte(description, grey(0.5f));
-  add_shape(description, emitter, matte, grey(1)).to_world = place;
   add_shape(description, rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte).to_world = place;
-  if (blocker_height >= 0)
+  if (sheet_height >= 0)
     add_shape(description, rectangle({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), matte).to_world =
-        place * translation({0, 0, blocker_height});
+        place * translation({0, 0, sheet_height});
+  Shape& lamp = add_shape(description, emitter, matte, grey(1));
+  lamp.to_world = place;
+  if (!instanced) return description;
+  const Vec3d away(7, -5, 3);
+  lamp.to_world = translation(away);
+  description.objects.push_back({"", {std::move(lamp)}});
+  description.shapes.pop_back();
+  description.instances.push_back({static_cast<ObjectId>(0), place * translation(-away)});
   return description;
 }
 
@@ -37,7 +40,7 @@ std::pair<int, int> blocked(const Scene& scene, const Affine& place, Random& ran
     const Vec3d below = place.point({random.between(-0.5, 0.5), random.between(-0.5, 0.5), -1});
     const Ray ray{Vec3(below), Vec3(target - below)};
     const auto hit = scene.intersect(ray);
-    if (!hit || hit->geometry != 1) continue;
+    if (!hit || hit->geometry != 0 || hit->instance != no_index) continue;
     const Surface floor = scene.surface(ray, *hit);
     const auto sample = scene.sample_light(light, floor.p, random.square());
     if (!sample) continue;
@@ -70,9 +73,9 @@ TEST(ShadowRay, ReachesEveryPartOfALightThatIsSeen) {
     SCOPED_TRACE(name);
     Random random(1);
     int all = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 120; ++i) {
       const Affine place = any_place(random);
-      const Scene scene(stage(emitter, place, -1));
+      const Scene scene(stage(emitter, place, -1, i % 2 == 1));
       all += blocked(scene, place, random, 300).first;
     }
     EXPECT_EQ(all, 0) << "blocked by the floor it leaves or the light it goes to";
@@ -85,7 +88,7 @@ TEST(ShadowRay, IsStoppedByAThinSheetBetween) {
     Random random(2);
     for (const double height : {1e-3, 0.5, 0.999}) {
       const Affine place = random_affine(random, 0.9, 1.1, 1);
-      const Scene scene(stage(emitter, place, height));
+      const Scene scene(stage(emitter, place, height, height == 0.5));
       const auto [stopped, total] = blocked(scene, place, random, 3000);
       EXPECT_EQ(stopped, total) << "sheet at " << height;
     }

@@ -8,18 +8,19 @@ namespace {
 
 using namespace test;
 
-// Rays from within that meet nothing, towards points at vertices and edges among others.
-int leaks_from_within(const Mesh& mesh, const Affine& place, int rays, bool at_edges = true) {
+enum class Aim { anywhere, edges, vertices };
+
+// Rays from within that meet nothing.
+int leaks_from_within(const Mesh& mesh, const Affine& place, Aim aim) {
   Random random(1);
   const Scene scene(world_of(mesh, place, false));
   int leaks = 0;
-  for (int i = 0; i < rays; ++i) {
+  for (int i = 0; i < 1'000'000; ++i) {
     const Vec3 o(place.point(random.in_cube(0.4)));
     Vec3 d(random.direction());
-    if (at_edges && i % 2 == 0) {
-      // At a vertex or through an edge.
+    if (aim != Aim::anywhere) {
       const glm::uvec3& t = mesh.triangles[random.below(mesh.triangles.size())];
-      const double s = i % 4 == 0 ? 0 : random.between(0, 1);
+      const double s = aim == Aim::vertices ? 0 : random.between(0, 1);
       const Vec3d target = (1 - s) * Vec3d(mesh.positions[t.x]) + s * Vec3d(mesh.positions[t.y]);
       d = Vec3(place.point(target) - Vec3d(o));
     }
@@ -28,17 +29,26 @@ int leaks_from_within(const Mesh& mesh, const Affine& place, int rays, bool at_e
   return leaks;
 }
 
+// Embree 3.13 lets 0.9 % of the rays pass that are aimed exactly at a vertex of this sphere, so those are not among
+// these; rays that are not aimed never meet a vertex that well.
 TEST(Watertight, SphereKeepsEveryRayWithin) {
-  EXPECT_EQ(leaks_from_within(icosphere(5), {}, 1'000'000, false), 0);
+  const Mesh mesh = icosphere(5);
+  for (const Aim aim : {Aim::anywhere, Aim::edges}) EXPECT_EQ(leaks_from_within(mesh, {}, aim), 0);
 }
 
 TEST(Watertight, BoxKeepsEveryRayWithin) {
-  EXPECT_EQ(leaks_from_within(box({-1, -1, -1}, {1, 1, 1}).triangulated(), {}, 1'000'000), 0);
+  Random random(4);
+  const Mesh mesh = box({-1, -1, -1}, {1, 1, 1}).triangulated();
+  for (const Affine& place : {Affine{}, random_rotation(random)})
+    for (const Aim aim : {Aim::anywhere, Aim::edges, Aim::vertices})
+      EXPECT_EQ(leaks_from_within(mesh, place, aim), 0);
 }
 
 TEST(Watertight, FarSphereKeepsEveryRayWithin) {
+  const Mesh mesh = icosphere(5);
   const Affine place = translation({148376, 1234, -223423}) * scaling(Vec3d(2));
-  EXPECT_EQ(leaks_from_within(icosphere(5), place, 1'000'000), 0);
+  for (const Aim aim : {Aim::anywhere, Aim::edges, Aim::vertices})
+    EXPECT_EQ(leaks_from_within(mesh, place, aim), 0);
 }
 
 // Rays from afar to the middle of a turned box, past its corners and along the diagonals of its faces.

@@ -137,7 +137,7 @@ testing::AssertionResult decided(
     const std::function<Judgement(std::uint64_t, int, const GateSettings&)>& attempt) {
   Judgement judgement = attempt(1000, 1, settings);
   report(judgement);
-  if (judgement.outcome == Outcome::differs) {
+  if (judgement.outcome != Outcome::agrees) {
     GateSettings repeated = settings;
     repeated.alpha *= repeated_suite_alpha / suite_alpha;
     judgement = attempt(2000, 4, repeated);

@@ -79,8 +79,8 @@ std::vector<std::size_t> holm(const std::vector<double>& p, double alpha);
 // Renders one replicate; `effort` multiplies its samples.
 using RenderReplicate = std::function<PixelImage(std::uint64_t seed, int effort)>;
 
-// gate_replicates with fixed seeds; where they differ from the truth, as many fresh ones of four times the samples
-// decide at repeated_suite_alpha. What was measured is printed and recorded with the test.
+// gate_replicates with fixed seeds; where they do not agree, be it for want of power, as many fresh ones of four
+// times the samples decide at repeated_suite_alpha. What was measured is printed and recorded with the test.
 testing::AssertionResult agrees_with(const PixelImage& truth, const RenderReplicate& render,
                                      GateSettings settings = {});
 testing::AssertionResult same_mean(const RenderReplicate& a, const RenderReplicate& b,

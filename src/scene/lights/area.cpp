@@ -19,9 +19,11 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
     to_world_ = to_world_ * analytic_->to_group;
     from_world_ = inverse(to_world_);
     area_ = std::visit([](const auto& shape) { return shape.area(); }, analytic_->shape);
+    placed_error_ = placed_error();
     return;
   }
   mesh_ = &geometry.meshes[piece.mesh];
+  placed_error_ = placed_error();
   std::vector<double> areas;
   areas.reserve(mesh_->triangles.size());
   for (const glm::uvec3& t : mesh_->triangles) {
@@ -43,6 +45,20 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
   const Vec3d corner(mesh_->vertices[t.x].p);
   const Vec3d normal = cross(Vec3d(mesh_->vertices[t.y].p) - corner, Vec3d(mesh_->vertices[t.z].p) - corner);
   rectangle_normal_ = Vec3(glm::normalize(from_world_.transposed(normal)));
+}
+
+// A point that an instance has moved is made from the numbers of its object and of the move, large as its own may not
+// be.
+float AreaLight::placed_error() const {
+  if (emitter_.instance == no_index) return 0;
+  Vec3d reach(0);  // of the piece; group space
+  if (analytic_) {
+    const Bounds bounds = std::visit([](const auto& shape) { return shape.bounds(); }, analytic_->shape);
+    reach = analytic_->to_group.magnitude(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
+  } else {
+    for (const Vertex& vertex : mesh_->vertices) reach = glm::max(reach, Vec3d(glm::abs(vertex.p)));
+  }
+  return surface_error(Vec3(geometry_->instances[emitter_.instance].to_world.magnitude(reach)));
 }
 
 Vec3d AreaLight::world(const Vec3& p) const { return to_world_.point(Vec3d(p)); }
@@ -97,7 +113,7 @@ std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const
   const Spectrum radiance = emission_at(q.uv) * opacity_at(q.uv);
   const float pdf = q.pdf * sqr(distance) / std::abs(cosine);
   if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
-  const float error = surface_error(q.magnitude);
+  const float error = std::max(surface_error(q.magnitude), placed_error_);
   // Built in place: a copy of what was just stored piece by piece would stall.
   std::optional<LightSample> result(std::in_place);
   result->wi = wi;

@@ -40,6 +40,7 @@ class AreaLight {
   Point analytic_point(const Vec2& u) const;
   Point point(const Vec2& u) const;
   Vec3d world(const Vec3& p) const;
+  float placed_error() const;
   float area_pdf(const Vec3& n) const;  // n: unit, world, outer side
   Spectrum emission_at(const Vec2& uv) const;
   float opacity_at(const Vec2& uv) const;
@@ -57,6 +58,7 @@ class AreaLight {
   Vec3 rectangle_normal_{0};               // unit, world, outer side
   double area_ = 0;                        // world; canonical where analytic
   float inverse_area_ = 0;
+  float placed_error_ = 0;                 // that an instance brings, world units; 0 without one
 };
 
 }  // namespace umbral
