@@ -25,7 +25,8 @@ const std::map<std::string, Names>& arrows() {
       {"formats", {"core", "image", "bsdf", "scene"}},
       {"integrators", {"core", "image", "bsdf", "scene"}},
       {"render", {"core", "image", "bsdf", "scene", "integrators"}},
-      {"app", {"core", "image", "bsdf", "scene", "formats", "integrators", "render"}},
+      {"report", {"core", "image"}},
+      {"app", {"core", "image", "bsdf", "scene", "formats", "integrators", "render", "report"}},
   };
   return table;
 }

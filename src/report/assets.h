@@ -1,0 +1,10 @@
+// The styles and scripts of the pages: the text of the files in assets/, built into the program by umbral_embed().
+#pragma once
+
+#include <string_view>
+
+namespace umbral::assets {
+
+extern const std::string_view page_css;  // of every page
+
+}  // namespace umbral::assets
