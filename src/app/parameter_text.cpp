@@ -6,11 +6,14 @@
 namespace umbral {
 namespace {
 
-std::string number(double x) { return std::isinf(x) ? "∞" : fmt::format("{:g}", x); }
+std::string bound(double x) { return std::isinf(x) ? "∞" : fmt::format("{:g}", x); }
+
+// The shortest digits that read back as the same number.
+std::string number(float x) { return fmt::format("{}", x); }
 
 std::string color(const Spectrum& s) {
   if (s.r == s.g && s.g == s.b) return number(s.r);
-  return fmt::format("[{:g}, {:g}, {:g}]", s.r, s.g, s.b);
+  return fmt::format("[{}, {}, {}]", s.r, s.g, s.b);
 }
 
 }  // namespace
@@ -30,10 +33,10 @@ void ParameterTexts::operator()(const ParameterInfo& info, std::uint64_t& v) {
 }
 void ParameterTexts::operator()(const ParameterInfo& info, float& v) { add(info, "number", number(v)); }
 void ParameterTexts::operator()(const ParameterInfo& info, Vec2& v) {
-  add(info, "[x, y]", fmt::format("[{:g}, {:g}]", v.x, v.y));
+  add(info, "[x, y]", fmt::format("[{}, {}]", v.x, v.y));
 }
 void ParameterTexts::operator()(const ParameterInfo& info, Vec3& v) {
-  add(info, "[x, y, z]", fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z));
+  add(info, "[x, y, z]", fmt::format("[{}, {}, {}]", v.x, v.y, v.z));
 }
 void ParameterTexts::operator()(const ParameterInfo& info, Spectrum& v) { add(info, "colour", color(v)); }
 void ParameterTexts::operator()(const ParameterInfo& info, std::string& v) {
@@ -54,11 +57,10 @@ void ParameterTexts::choice(const ParameterInfo& info, int& index, std::span<con
 
 std::string range_text(const Range& range) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
-  if (low && high && !range.low_open && !range.high_open)
-    return number(range.low) + " … " + number(range.high);
+  if (low && high && !range.low_open && !range.high_open) return bound(range.low) + " … " + bound(range.high);
   std::string text;
-  if (low) text = (range.low_open ? "> " : "≥ ") + number(range.low);
-  if (high) text += (low ? ", " : "") + std::string(range.high_open ? "< " : "≤ ") + number(range.high);
+  if (low) text = (range.low_open ? "> " : "≥ ") + bound(range.low);
+  if (high) text += (low ? ", " : "") + std::string(range.high_open ? "< " : "≤ ") + bound(range.high);
   return text;
 }
 
