@@ -20,13 +20,15 @@ const std::map<std::string, Names>& arrows() {
   static const std::map<std::string, Names> table = {
       {"core", {}},
       {"image", {"core"}},
+      {"analysis", {"core", "image"}},
       {"bsdf", {"core"}},
       {"scene", {"core", "image", "bsdf"}},
       {"formats", {"core", "image", "bsdf", "scene"}},
       {"integrators", {"core", "image", "bsdf", "scene"}},
       {"render", {"core", "image", "bsdf", "scene", "integrators"}},
-      {"report", {"core", "image"}},
-      {"app", {"core", "image", "bsdf", "scene", "formats", "integrators", "render", "report"}},
+      {"report", {"core", "image", "analysis"}},
+      {"app",
+       {"core", "image", "analysis", "bsdf", "scene", "formats", "integrators", "render", "report"}},
   };
   return table;
 }

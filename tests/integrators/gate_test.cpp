@@ -110,12 +110,6 @@ TEST(GateCalibration, FindsTheSmallestDifferenceItPromises) {
   testing::Test::RecordProperty("found_of_1000", found);
 }
 
-TEST(GateCalibration, HolmStepsDown) {
-  EXPECT_EQ(holm({0.04, 0.012, 0.3, 0.001}, 0.05), (std::vector<std::size_t>{3, 1}));
-  EXPECT_EQ(holm({0.02, 0.02}, 0.05), (std::vector<std::size_t>{0, 1}));
-  EXPECT_TRUE(holm({0.03, 0.03}, 0.05).empty());
-}
-
 TEST(GateCalibration, OneAlarmIsRepeatedTwoAreAFailure) {
   Synthetic synthetic(4);
   const auto wrong_once = [&](std::uint64_t, int effort) {

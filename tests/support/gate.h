@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/equality.h"
 #include "core/math.h"
 
 namespace umbral::test {
@@ -29,42 +30,13 @@ inline constexpr int most_experiments = 80;
 // Replicates of an image. With 32, Student's t needs 0.6 times the samples that it needs with 16.
 inline constexpr int gate_replicates = 32;
 
-struct GateSettings {
-  double alpha = suite_alpha / most_experiments;  // of this experiment
-  int tiles = 4;                                  // a side of the image; 1 judges the mean of the image alone
-  // What single precision and the oracle's own quadrature may be off by, relative: not a difference.
-  double resolution = 1e-5;
-  double image_mde = 0.005, tile_mde = 0.03;  // smallest relative differences that must not go unseen
+struct GateSettings : EqualitySettings {
+  GateSettings() { alpha = suite_alpha / most_experiments; }  // of this experiment
+  int tiles = 4;  // a side of the image; 1 judges the mean of the image alone
 };
 
-// One number tested: the mean of the image or of a tile, in one channel.
-struct Statistic {
-  std::string name;
-  bool of_image = false;
-  double measured = 0, expected = 0;
-  double standard_error = 0, degrees_of_freedom = 0;  // of measured − expected
-  double skewness = 0;                                // of the replicates
-  double p = 1;                                       // two-sided
-  double mde = 0;  // relative difference that is found in about nine cases of ten
-};
-
-enum class Outcome {
-  agrees,
-  differs,
-  underpowered,  // a difference that matters could go unseen
-  skewed,        // Student's t does not hold for these replicates
-};
-
-struct Judgement {
-  Outcome outcome = Outcome::agrees;
-  std::vector<Statistic> statistics;
-  std::vector<std::size_t> rejected;  // by Holm's procedure, most significant first
-
-  double worst_mde(bool of_image) const;
-  double smallest_p() const;
-  double mean_skewness() const;
-  std::string text() const;  // of several lines if something is wrong
-};
+// The means of the image and of its tiles, as the tests of equality want them.
+Replicates replicates_of(const std::vector<PixelImage>& images, int tiles);
 
 // One-sample t tests against the truth; at least two replicates.
 Judgement judged(const std::vector<PixelImage>& replicates, const PixelImage& truth,
@@ -72,9 +44,6 @@ Judgement judged(const std::vector<PixelImage>& replicates, const PixelImage& tr
 // Welch's t tests of two sets of replicates.
 Judgement judged(const std::vector<PixelImage>& a, const std::vector<PixelImage>& b,
                  const GateSettings& settings);
-
-// Which of the p-values Holm's step-down procedure rejects, smallest first.
-std::vector<std::size_t> holm(const std::vector<double>& p, double alpha);
 
 // Renders one replicate; `effort` multiplies its samples.
 using RenderReplicate = std::function<PixelImage(std::uint64_t seed, int effort)>;

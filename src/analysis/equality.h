@@ -1,0 +1,61 @@
+// Do two images have the same mean? Tests of many statistics together, with their power in the verdict.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/regions.h"
+
+namespace umbral {
+
+struct EqualitySettings {
+  double alpha = 1e-3;  // the chance that equal images differ in any statistic
+  // What rounding may be off by, relative: not a difference.
+  double resolution = 1e-5;
+  double image_mde = 0.005, tile_mde = 0.03;  // smallest relative differences that must not go unseen
+};
+
+enum class StatisticKind { image, tile };
+
+// One number tested: the mean of the image or of a tile, in one channel.
+struct Statistic {
+  std::string name;
+  StatisticKind kind = StatisticKind::image;
+  double expected = 0, measured = 0;
+  double standard_error = 0, degrees_of_freedom = 0;  // of measured − expected
+  double skewness = 0;                                // of the replicates
+  double p = 1;                                       // two-sided
+  double mde = 0;  // relative difference that is found in about nine cases of ten
+};
+
+enum class Outcome {
+  agrees,
+  differs,
+  underpowered,  // a difference that matters could go unseen
+  skewed,        // Student's t does not hold for these replicates
+};
+
+const char* name_of(Outcome outcome);
+
+struct Judgement {
+  Outcome outcome = Outcome::agrees;
+  std::vector<Statistic> statistics;
+  std::vector<std::size_t> rejected;  // by Holm's procedure, most significant first
+
+  double worst_mde(StatisticKind kind) const;  // 0 if there is none of the kind
+  double smallest_p() const;
+  double mean_skewness() const;
+  std::string text() const;  // of several lines if something is wrong
+};
+
+// The statistic of `measured` against `expected`, yet without p and mde.
+Statistic statistic(std::string name, StatisticKind kind, const MeanEstimate& expected,
+                    const MeanEstimate& measured);
+
+// Fills p and mde in and judges all of them together.
+Judgement judged(std::vector<Statistic> statistics, const EqualitySettings& settings);
+
+// Student's t tests by Welch of all regions in all channels. A side of a single replicate is taken for the truth.
+Judgement judged(const Replicates& expected, const Replicates& measured, const EqualitySettings& settings);
+
+}  // namespace umbral
