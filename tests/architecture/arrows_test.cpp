@@ -14,9 +14,8 @@ namespace {
 
 TEST(Arrows, NoIncludeOfTheSourcesGoesAgainstThem) {
   const Inspection inspection = inspect_includes(source_path("src"));
-  EXPECT_EQ(inspection.rooms,
-            (std::vector<std::string>{"analysis", "app", "bsdf", "core", "formats", "image", "integrators",
-                                      "render", "report", "scene"}));
+  EXPECT_EQ(inspection.rooms, (std::vector<std::string>{"analysis", "app", "bsdf", "core", "formats", "image",
+                                                        "integrators", "render", "report", "scene"}));
   for (const Violation& violation : inspection.violations) ADD_FAILURE() << violation.text();
 }
 

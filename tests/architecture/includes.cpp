@@ -27,8 +27,7 @@ const std::map<std::string, Names>& arrows() {
       {"integrators", {"core", "image", "bsdf", "scene"}},
       {"render", {"core", "image", "bsdf", "scene", "integrators"}},
       {"report", {"core", "image", "analysis"}},
-      {"app",
-       {"core", "image", "analysis", "bsdf", "scene", "formats", "integrators", "render", "report"}},
+      {"app", {"core", "image", "analysis", "bsdf", "scene", "formats", "integrators", "render", "report"}},
   };
   return table;
 }
