@@ -33,11 +33,12 @@ float bump(float u, float v) {
   return 0.5f * (std::sin(23 * u) * std::cos(19 * v) + std::sin(41 * v + 7 * u));
 }
 
-std::shared_ptr<const TextureImage> noise_image(int size, std::uint64_t seed) {
+// Of `texel` × `texel` blocks of one colour.
+std::shared_ptr<const TextureImage> noise_image(int size, int texel, std::uint64_t seed) {
   TexelGrid<Srgb8> texels(size, size);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
-      const std::uint64_t bits = hash_combine(seed, static_cast<std::uint64_t>((y / 4) * size + x / 4));
+      const std::uint64_t bits = hash_combine(seed, static_cast<std::uint64_t>((y / texel) * size + x / texel));
       const auto channel = [&](int shift) {
         return static_cast<std::uint8_t>(120 + ((bits >> shift) & 127u));
       };
@@ -46,9 +47,9 @@ std::shared_ptr<const TextureImage> noise_image(int size, std::uint64_t seed) {
   return std::make_shared<TextureImage>(TextureImage::Texels(std::move(texels)));
 }
 
-MaterialId add_textured(SceneDescription& scene, std::uint64_t seed) {
+MaterialId add_textured(SceneDescription& scene, int size, std::uint64_t seed) {
   ImageTexture image;
-  image.image = noise_image(1024, seed);
+  image.image = noise_image(size, 4, seed);
   image.uv_scale = {4, 4};
   scene.textures.push_back({"noise", image});
   scene.textures.back().prepare();
@@ -76,19 +77,14 @@ void add(SceneDescription& scene, ShapeKinds kind, MaterialId material, const Sp
   scene.shapes.push_back(std::move(shape));
 }
 
-}  // namespace
-
-SceneDescription cornell_box() {
-  return std::move(load_scene(UMBRAL_SOURCE_DIR "/scenes/cornell-box/cornell-box.toml").file.scene);
-}
-
-SceneDescription textured_room() {
-  constexpr int cells = 354;  // 8 grids of 2 · 354² triangles: two million
+// A room with two balls, each of its eight shapes a grid of cells × cells with a texture of its own.
+SceneDescription textured(int wall_cells, int ball_cells, float relief, int texture_size) {
   SceneDescription scene;
+  const auto material = [&] { return add_textured(scene, texture_size, scene.shapes.size()); };
   const auto wall = [&](const Vec3& origin, const Vec3& u, const Vec3& v) {
     const Vec3 n = glm::normalize(cross(u, v));
-    add(scene, grid(cells, [&](float a, float b) { return origin + a * u + b * v + 0.02f * bump(a, b) * n; }),
-        add_textured(scene, scene.shapes.size()));
+    const auto position = [&](float a, float b) { return origin + a * u + b * v + relief * bump(a, b) * n; };
+    add(scene, grid(wall_cells, position), material());
   };
   const Vec3 x{4, 0, 0}, y{0, 3, 0}, z{0, 0, 4};
   wall({-2, 0, -2}, z, x);    // floor
@@ -97,21 +93,31 @@ SceneDescription textured_room() {
   wall({-2, 0, -2}, y, z);    // left
   wall({2, 0, -2}, z, y);     // right
   wall({2, 0, 2.2f}, -x, y);  // front, behind the camera
-  for (const float side : {-0.8f, 0.9f})
-    add(scene,
-        grid(cells,
-             [&](float a, float b) {
-               const float phi = two_pi * a, theta = pi * (1 - b), r = 0.6f + 0.03f * bump(a, b);
-               return Vec3{side, 0.65f, side / 2} + r * Vec3{std::sin(theta) * std::cos(phi), std::cos(theta),
-                                                             -std::sin(theta) * std::sin(phi)};
-             }),
-        add_textured(scene, scene.shapes.size()));
+  for (const float side : {-0.8f, 0.9f}) {
+    const auto position = [&](float a, float b) {
+      const float phi = two_pi * a, theta = pi * (1 - b), r = 0.6f + 1.5f * relief * bump(a, b);
+      return Vec3{side, 0.65f, side / 2} + r * Vec3{std::sin(theta) * std::cos(phi), std::cos(theta),
+                                                    -std::sin(theta) * std::sin(phi)};
+    };
+    add(scene, grid(ball_cells, position), material());
+  }
   add(scene, Rectangle{{-0.5f, 2.9f, -0.5f}, {1, 0, 0}, {0, 0, 1}}, add_matte(scene, 0), grey(12));
   scene.camera.position = {0, 1.5f, 2};
   scene.camera.look_at = {0, 1.2f, 0};
   scene.camera.fov = 60;
   return scene;
 }
+
+}  // namespace
+
+SceneDescription cornell_box() {
+  return std::move(load_scene(UMBRAL_SOURCE_DIR "/scenes/cornell-box/cornell-box.toml").file.scene);
+}
+
+SceneDescription textured_box() { return textured(1, 12, 0, 2048); }
+
+// 8 grids of 2 · 354² triangles: two million.
+SceneDescription textured_room() { return textured(354, 354, 0.02f, 1024); }
 
 SceneDescription instanced_field() {
   constexpr int cells = 224;  // 2 · 224² = 100 352 triangles

@@ -30,9 +30,10 @@ double peak_mebibytes() {
 
 SceneDescription scene_by_name(const std::string& name) {
   if (name == "cornell-box") return cornell_box();
+  if (name == "textured-box") return textured_box();
   if (name == "textured-room") return textured_room();
   if (name == "instances") return instanced_field();
-  throw std::invalid_argument("scenes are cornell-box, textured-room and instances, not '" + name + "'");
+  throw std::invalid_argument("scenes are cornell-box, textured-box, textured-room and instances, not '" + name + "'");
 }
 
 void run(const std::string& name, int threads, int spp) {

@@ -29,9 +29,14 @@ struct Lambert {
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, float, const Vec2& u2) const {
+    std::optional<BsdfSample> result;  // built in place: a copy of what was just stored would stall
     const Vec3 wi = on_side_of(square_to_cosine_hemisphere(u2), wo);
-    if (!same_side(wo, wi)) return std::nullopt;
-    return BsdfSample{wi, reflectance, cosine_hemisphere_pdf(std::abs(wi.z))};
+    if (!same_side(wo, wi)) return result;
+    result.emplace();
+    result->wi = wi;
+    result->weight = reflectance;
+    result->pdf = cosine_hemisphere_pdf(std::abs(wi.z));
+    return result;
   }
 
   Spectrum albedo() const { return reflectance; }

@@ -10,7 +10,7 @@
 
 namespace umbral {
 
-// An allocator for std::vector that asks for transparent huge pages from 2 MiB on; smaller arrays are as usual.
+// An allocator for std::vector that asks for transparent huge pages from 2 MiB on; smaller arrays start a cache line.
 template <class T>
 struct HugePageAllocator {
   using value_type = T;
@@ -23,7 +23,7 @@ struct HugePageAllocator {
     constexpr std::size_t page = std::size_t{2} << 20;
     const std::size_t bytes = count * sizeof(T);
     const bool large = bytes >= page;
-    const std::size_t alignment = large ? page : alignof(std::max_align_t);
+    const std::size_t alignment = large ? page : 64;
     void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
     if (memory == nullptr) throw std::bad_alloc();
     if (large) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: it changes nothing where it is not granted

@@ -22,34 +22,25 @@ float survival_probability(const Spectrum& throughput) {
   return glm::clamp(max_component(throughput), 0.05f, 0.99f);
 }
 
-}  // namespace
-
 // How the path came to where it is: what multiple importance sampling needs to know of the last bounce.
-struct PathIntegrator::Arrival {
+struct Arrival {
   float pdf = 0;      // of the direction, per solid angle
   bool delta = true;  // no light sample could have come this way: from the camera, or off a mirror
 };
 
-void PathIntegrator::describe(ParameterVisitor& visitor) { for_each_parameter(*this, visitor); }
-
-std::vector<std::string> PathIntegrator::bias_notes() const {
-  if (max_depth == 0) return {};
-  return {"max_depth = " + std::to_string(max_depth) + ": light of more bounces is missing"};
-}
-
-float PathIntegrator::light_weight(float light_pdf, float bsdf_pdf, bool delta) const {
+float light_weight(Strategy strategy, float light_pdf, float bsdf_pdf, bool delta) {
   if (delta || strategy == Strategy::light) return 1;
   return strategy == Strategy::bsdf ? 0 : power_heuristic(light_pdf, bsdf_pdf);
 }
 
-float PathIntegrator::bsdf_weight(float bsdf_pdf, float light_pdf) const {
+float bsdf_weight(Strategy strategy, float bsdf_pdf, float light_pdf) {
   if (strategy == Strategy::mis) return power_heuristic(bsdf_pdf, light_pdf);
   return strategy == Strategy::bsdf ? 1 : 0;
 }
 
 // Light that one sample of one light brings to a vertex, before the path's throughput; wo is local.
-Spectrum PathIntegrator::direct(const Scene& scene, const Surface& surface, const Lobes& lobe, const Vec3& wo,
-                                Sampler& sampler) const {
+Spectrum direct(Strategy strategy, const Scene& scene, const Surface& surface, const Lobes& lobe,
+                const Vec3& wo, Sampler& sampler) {
   const Vec2 u = sampler.next2d();
   const Scene::LightChoice choice = scene.choose_light(scene.light_count() > 1 ? sampler.next1d() : 0.0f);
   const std::optional<LightSample> sample = scene.sample_light(choice.light, surface.p, u);
@@ -59,10 +50,19 @@ Spectrum PathIntegrator::direct(const Scene& scene, const Surface& surface, cons
   const Spectrum f_cos = umbral::f_cos(lobe, wo, wi);
   if (is_black(f_cos)) return black;
   const float light_pdf = choice.probability * sample->pdf;
-  const float weight = light_weight(light_pdf, umbral::pdf(lobe, wo, wi), sample->delta);
+  const float weight = light_weight(strategy, light_pdf, umbral::pdf(lobe, wo, wi), sample->delta);
   if (weight == 0 || is_black(sample->radiance)) return black;
   if (scene.occluded(Scene::shadow_ray(surface, *sample))) return black;
   return f_cos * sample->radiance * (weight / light_pdf);
+}
+
+}  // namespace
+
+void PathIntegrator::describe(ParameterVisitor& visitor) { for_each_parameter(*this, visitor); }
+
+std::vector<std::string> PathIntegrator::bias_notes() const {
+  if (max_depth == 0) return {};
+  return {"max_depth = " + std::to_string(max_depth) + ": light of more bounces is missing"};
 }
 
 Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sampler& sampler,
@@ -79,7 +79,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const std::optional<Hit> hit = scene.intersect(ray);
     if (!hit) {
       if (!scene.has_environment()) break;
-      const float weight = arrival.delta ? 1 : bsdf_weight(arrival.pdf, scene.environment_pdf(ray.d));
+      const float weight = arrival.delta ? 1 : bsdf_weight(strategy, arrival.pdf, scene.environment_pdf(ray.d));
       if (weight > 0) add(throughput * scene.background(ray.d) * weight, bounces);
       break;
     }
@@ -87,7 +87,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const Surface surface = scene.surface(ray, *hit);
     if (surface.light != LightId::none) {
       const float weight =
-          arrival.delta ? 1 : bsdf_weight(arrival.pdf, scene.light_pdf(surface, ray.d, hit->t));
+          arrival.delta ? 1 : bsdf_weight(strategy, arrival.pdf, scene.light_pdf(surface, ray.d, hit->t));
       if (weight > 0) add(throughput * scene.emitted(surface, -ray.d) * weight, bounces);
     }
     if (max_depth > 0 && bounces == max_depth) break;
@@ -95,7 +95,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const Lobes lobe = scene.bsdf(surface);
     const Vec3 wo = surface.shading.to_local(-ray.d);
     if (scene.light_count() > 0 && !only_delta(lobe))
-      add(throughput * direct(scene, surface, lobe, wo, sampler), bounces + 1);
+      add(throughput * direct(strategy, scene, surface, lobe, wo, sampler), bounces + 1);
 
     const Vec2 u = sampler.next2d();
     const float u_lobe = has_choice(lobe) ? sampler.next1d() : 0.0f;

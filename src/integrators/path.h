@@ -41,14 +41,6 @@ class PathIntegrator : public Integrator {
   std::vector<std::string> bias_notes() const override;
   Spectrum radiance(const Scene& scene, const Ray& ray, Sampler& sampler,
                     std::span<Spectrum> layers) const override;
-
- private:
-  struct Arrival;
-
-  float light_weight(float light_pdf, float bsdf_pdf, bool delta) const;
-  float bsdf_weight(float bsdf_pdf, float light_pdf) const;
-  Spectrum direct(const Scene& scene, const Surface& surface, const Lobes& lobe, const Vec3& wo,
-                  Sampler& sampler) const;
 };
 
 }  // namespace umbral

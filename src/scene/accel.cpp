@@ -28,8 +28,8 @@ RTCGeometry triangle_geometry(RTCDevice device, const TracedMesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
                              sizeof(Vertex), mesh.vertices.size());
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
-                             sizeof(glm::uvec3), mesh.triangles.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(),
+                             offsetof(Triangle, vertices), sizeof(Triangle), mesh.triangles.size());
   return geometry;
 }
 

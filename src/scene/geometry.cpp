@@ -1,8 +1,6 @@
 // Sorting shapes into groups and making surfaces from hits.
 #include "scene/geometry.h"
 
-#include <bit>
-
 #include "scene/description.h"
 
 namespace umbral {
@@ -62,49 +60,24 @@ class GroupBuilder {
 // Barycentric weights of the three vertices.
 Vec3 weights(const Vec2& b) { return {1 - b.x - b.y, b.x, b.y}; }
 
-// The power of two that brings `x` > 0 into [1, 2), or near it for the smallest and largest numbers.
-float normalising_power(float x) {
-  const std::uint32_t exponent = std::bit_cast<std::uint32_t>(x) & 0x7f800000u;
-  return std::bit_cast<float>(glm::clamp(0x7f000000u - exponent, 0x00800000u, 0x7f000000u));
-}
-
-struct Facet {
-  Vec3 n;
-  float sliver;  // see facet_of()
-};
-
-// The normal of a triangle, and what the ray traversal may misjudge the distance to it by beyond surface_error(): the
-// products of its edges that make the normal round by their size, which in slivers is far above that of the normal.
-// Scaled by a power of two first, which is exact: tiny edges then keep clear of denormal numbers, and a scene of
-// another size has the same normals to the bit.
-Facet facet_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a;
-  const Vec3 extent = glm::max(glm::abs(ab), glm::abs(ac));
-  const float scale = normalising_power(max_component(extent));
-  const Vec3 n = cross(ab * scale, ac * scale), e = extent * scale;
-  const float inverse_length = 1 / glm::length(n);
-  constexpr float relative = 4 * std::numeric_limits<float>::epsilon();
-  return {n * inverse_length, relative * e.x * e.y * e.z * inverse_length / scale};
-}
-
 // Of group space, before an instance moves it.
 struct GroupSurface {
   Vec3 p, ng, ns;
-  Vec3 magnitude;    // of the numbers that p was made from
-  float sliver = 0;  // of its Facet
+  float magnitude = 0;  // of the numbers that p was made from
+  float sliver = 0;     // of its Triangle
   Vec2 uv;
 };
 
 GroupSurface mesh_surface(const TracedMesh& mesh, const Hit& hit) {
-  const glm::uvec3& triangle = mesh.triangles[hit.primitive];
-  const Vertex &a = mesh.vertices[triangle.x], &b = mesh.vertices[triangle.y], &c = mesh.vertices[triangle.z];
+  const Triangle& triangle = mesh.triangles[hit.primitive];
+  const glm::uvec3& t = triangle.vertices;
+  const Vertex &a = mesh.vertices[t.x], &b = mesh.vertices[t.y], &c = mesh.vertices[t.z];
   const Vec3 w = weights(hit.barycentric);
   GroupSurface s;
   s.p = w.x * a.p + w.y * b.p + w.z * c.p;
-  const Facet facet = facet_of(a.p, b.p, c.p);
-  s.ng = facet.n;
-  s.sliver = facet.sliver;
-  s.magnitude = glm::max(glm::abs(a.p), glm::max(glm::abs(b.p), glm::abs(c.p)));
+  s.ng = triangle.n;
+  s.sliver = triangle.sliver;
+  s.magnitude = triangle.magnitude;
   s.uv = mesh.mapped ? w.x * a.uv + w.y * b.uv + w.z * c.uv : hit.barycentric;
   s.ns = s.ng;
   if (!mesh.smooth) return s;
@@ -121,7 +94,7 @@ GroupSurface analytic_surface(const PlacedShape& placed, const Vec3d& p_group) {
   s.p = Vec3(placed.to_group.point(point.p));
   s.ng = Vec3(glm::normalize(placed.from_group.transposed(point.n)));
   s.ns = s.ng;
-  s.magnitude = glm::abs(s.p);
+  s.magnitude = max_component(glm::abs(s.p));
   s.uv = Vec2(point.uv);
   return s;
 }
@@ -144,7 +117,7 @@ void move_to_world(GroupSurface& s, const Placement& placement) {
   s.ng = Vec3(ng * inverse_length);
   s.sliver *= static_cast<float>(inverse_length);
   s.ns = smooth ? Vec3(glm::normalize(placement.from_world.transposed(Vec3d(s.ns)))) : s.ng;
-  s.magnitude = Vec3(placement.to_world.magnitude(Vec3d(s.magnitude)));
+  s.magnitude = max_component(Vec3(placement.to_world.magnitude(Vec3d(s.magnitude))));
 }
 
 }  // namespace

@@ -33,11 +33,9 @@ struct Surface {
   Ray ray_towards(const Vec3& direction) const { return {origin_towards(direction), direction}; }
 };
 
-// The bound that Surface::error holds, for a point made from numbers no larger than `magnitude` in each axis: 32
-// units in the last place of the largest. Not of each axis for itself, projected on the normal: a plane y = 0 has
+// The bound that Surface::error holds, for a point made from numbers no larger than `magnitude` in any axis: 32
+// units in the last place of it. Not of each axis for itself, projected on the normal: a plane y = 0 has
 // vertices without any error in y, but the ray traversal rounds distances to it as it does to any other.
-inline float surface_error(const Vec3& magnitude) {
-  return 32 * std::numeric_limits<float>::epsilon() * max_component(magnitude);
-}
+inline float surface_error(float magnitude) { return 32 * std::numeric_limits<float>::epsilon() * magnitude; }
 
 }  // namespace umbral

@@ -15,9 +15,18 @@ struct Vertex {
 };
 static_assert(sizeof(Vertex) == 32);
 
+// And of a triangle: worked out once, since every hit asks for it.
+struct Triangle {
+  glm::uvec3 vertices;
+  float magnitude;  // largest coordinate of its vertices
+  Vec3 n;           // geometric normal, unit
+  float sliver;     // what the ray traversal may misjudge the distance to it by beyond surface_error(magnitude)
+};
+static_assert(sizeof(Triangle) == 32);
+
 struct TracedMesh {
   HugeVector<Vertex> vertices;
-  HugeVector<glm::uvec3> triangles;
+  HugeVector<Triangle> triangles;
   bool smooth = false;  // has normals
   bool mapped = false;  // has uv
 
@@ -27,7 +36,7 @@ struct TracedMesh {
   // At barycentric coordinates of a triangle; the coordinates themselves where the mesh is not mapped.
   Vec2 uv(std::uint32_t triangle, const Vec2& barycentric) const {
     if (!mapped) return barycentric;
-    const glm::uvec3& t = triangles[triangle];
+    const glm::uvec3& t = triangles[triangle].vertices;
     return (1 - barycentric.x - barycentric.y) * vertices[t.x].uv + barycentric.x * vertices[t.y].uv +
            barycentric.y * vertices[t.z].uv;
   }

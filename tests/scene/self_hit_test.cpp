@@ -30,8 +30,8 @@ using NextCrossing = std::function<double(const Vec3& p, const Vec3& d)>;
 struct Trial {
   ShapeKinds kind;
   Affine to_world;
-  Vec3d target;  // a world point on the shape; random ones lie about it
-  double size;   // world
+  Vec3d target;                 // a world point on the shape; random ones lie about it
+  double size;                  // world
   NextCrossing next = nullptr;  // of analytic shapes
 };
 
@@ -39,7 +39,8 @@ template <class Analytic>
 Trial analytic_trial(const Analytic& shape, const Affine& place, const Vec3d& target, double size) {
   const Affine to_world = place * shape.placement(), from_world = inverse(to_world);
   return {shape, place, target, size, [=](const Vec3& p, const Vec3& d) {
-            const Vec3d start = shape.nearest(from_world.point(Vec3d(p))).p, along = from_world.vector(Vec3d(d));
+            const Vec3d start = shape.nearest(from_world.point(Vec3d(p))).p,
+                        along = from_world.vector(Vec3d(d));
             return shape.intersect(start, along, 1e-9 / glm::length(along), 1e30).value_or(infinity);
           }};
 }
@@ -131,20 +132,26 @@ Trial instanced_trial(Random& random, const Kind& kind, const Vec3d& on_it, doub
   const Affine stretch = random_affine(random, 0.3, 3, 0);
   const Affine place = translation(far_or_near(random)) * stretch * scaling(Vec3d(any_size(random)));
   const double size = own_size * std::cbrt(std::abs(place.determinant()));
-  if constexpr (ParametricShape<Kind>) return analytic_trial(kind, place, place.point(on_it), size);
-  else return {kind, place, place.point(on_it), size};
+  if constexpr (ParametricShape<Kind>)
+    return analytic_trial(kind, place, place.point(on_it), size);
+  else
+    return {kind, place, place.point(on_it), size};
 }
 
 // A shape that was moved away within itself and back by its place: near the origin, but made from large numbers.
 template <class Kind>
 Trial returned_trial(Random& random, Kind kind, const Vec3d& on_it) {
   const Vec3 away(random.in_cube(100));
-  if constexpr (requires { kind.center; }) kind.center = away;
-  else kind.origin += away;
+  if constexpr (requires { kind.center; })
+    kind.center = away;
+  else
+    kind.origin += away;
   const Affine place = random_rotation(random) * translation(-Vec3d(away));
   const Vec3d target = place.point(on_it + Vec3d(away));
-  if constexpr (ParametricShape<Kind>) return analytic_trial(kind, place, target, 1);
-  else return {kind, place, target, 1};
+  if constexpr (ParametricShape<Kind>)
+    return analytic_trial(kind, place, target, 1);
+  else
+    return {kind, place, target, 1};
 }
 
 TEST(SelfHits, OfSpheresAreNone) { expect_no_self_hits(sphere_trial, false, 1); }

@@ -26,7 +26,8 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
   placed_error_ = placed_error();
   std::vector<double> areas;
   areas.reserve(mesh_->triangles.size());
-  for (const glm::uvec3& t : mesh_->triangles) {
+  for (const Triangle& triangle : mesh_->triangles) {
+    const glm::uvec3& t = triangle.vertices;
     const Vec3d a = world(mesh_->vertices[t.x].p);
     areas.push_back(glm::length(cross(world(mesh_->vertices[t.y].p) - a, world(mesh_->vertices[t.z].p) - a)) /
                     2);
@@ -41,9 +42,12 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
   rectangle_ = {Vec3(world(r.origin)), Vec3(to_world_.vector(Vec3d(r.edge_u))),
                 Vec3(to_world_.vector(Vec3d(r.edge_v)))};
   // Of its triangles: they were turned where a mirror turned the edges.
-  const glm::uvec3& t = mesh_->triangles[0];
+  const glm::uvec3& t = mesh_->triangles[0].vertices;
   const Vec3d corner(mesh_->vertices[t.x].p);
   const Vec3d normal = cross(Vec3d(mesh_->vertices[t.y].p) - corner, Vec3d(mesh_->vertices[t.z].p) - corner);
+  rectangle_error_ = std::max(surface_error(max_component(glm::abs(rectangle_.origin) + glm::abs(rectangle_.edge_u) +
+                                                          glm::abs(rectangle_.edge_v))),
+                              placed_error_);
   rectangle_normal_ = Vec3(glm::normalize(from_world_.transposed(normal)));
 }
 
@@ -58,35 +62,35 @@ float AreaLight::placed_error() const {
   } else {
     for (const Vertex& vertex : mesh_->vertices) reach = glm::max(reach, Vec3d(glm::abs(vertex.p)));
   }
-  return surface_error(Vec3(geometry_->instances[emitter_.instance].to_world.magnitude(reach)));
+  return surface_error(
+      max_component(Vec3(geometry_->instances[emitter_.instance].to_world.magnitude(reach))));
 }
 
 Vec3d AreaLight::world(const Vec3& p) const { return to_world_.point(Vec3d(p)); }
 
 AreaLight::Point AreaLight::rectangle_point(const Vec2& u) const {
   const Vec3 p = rectangle_.origin + u.x * rectangle_.edge_u + u.y * rectangle_.edge_v;
-  const Vec3 magnitude =
-      glm::abs(rectangle_.origin) + glm::abs(rectangle_.edge_u) + glm::abs(rectangle_.edge_v);
-  return {p, rectangle_normal_, magnitude, u, 0};
+  return {p, rectangle_normal_, rectangle_error_, u, 0};
 }
 
 AreaLight::Point AreaLight::mesh_point(const Vec2& u) const {
   const Distribution1D::Draw draw = triangles_.sample(u.x);
   const Vec2 b = square_to_triangle({draw.remainder, u.y});
   const auto index = static_cast<std::uint32_t>(draw.index);
-  const glm::uvec3& t = mesh_->triangles[index];
+  const Triangle& triangle = mesh_->triangles[index];
+  const glm::uvec3& t = triangle.vertices;
   const Vec3 &a = mesh_->vertices[t.x].p, &e = mesh_->vertices[t.y].p, &f = mesh_->vertices[t.z].p;
   const Vec3d p = world((1 - b.x - b.y) * a + b.x * e + b.y * f);
   const Vec3d n = cross(Vec3d(e) - Vec3d(a), Vec3d(f) - Vec3d(a));
-  const Vec3 corners =
-      glm::max(glm::abs(Vec3(world(a))), glm::max(glm::abs(Vec3(world(e))), glm::abs(Vec3(world(f)))));
-  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))), corners, mesh_->uv(index, b), 0};
+  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))),
+          std::max(surface_error(triangle.magnitude), placed_error_), mesh_->uv(index, b), 0};
 }
 
 AreaLight::Point AreaLight::analytic_point(const Vec2& u) const {
   const SurfacePoint s = std::visit([&](const auto& shape) { return shape.sample(u); }, analytic_->shape);
   const Vec3d p = to_world_.point(s.p);
-  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(s.n))), Vec3(glm::abs(p)), Vec2(s.uv), 0};
+  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(s.n))),
+          std::max(surface_error(max_component(Vec3(glm::abs(p)))), placed_error_), Vec2(s.uv), 0};
 }
 
 AreaLight::Point AreaLight::point(const Vec2& u) const {
@@ -103,24 +107,22 @@ float AreaLight::area_pdf(const Vec3& n) const {
 }
 
 std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const {
+  std::optional<LightSample> result;  // built in place: a copy of what was just stored piece by piece would stall
   const Point q = point(u);
   const Vec3 to_light = q.p - p;
   const float distance = glm::length(to_light);
-  if (!(distance > 0)) return std::nullopt;
+  if (!(distance > 0)) return result;
   const Vec3 wi = to_light / distance;
   const float cosine = -dot(wi, q.n);  // positive on the outer side
-  if (cosine == 0 || (cosine < 0 && !emitter_.two_sided)) return std::nullopt;
-  const Spectrum radiance = emission_at(q.uv) * opacity_at(q.uv);
+  if (cosine == 0 || (cosine < 0 && !emitter_.two_sided)) return result;
   const float pdf = q.pdf * sqr(distance) / std::abs(cosine);
-  if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
-  const float error = std::max(surface_error(q.magnitude), placed_error_);
-  // Built in place: a copy of what was just stored piece by piece would stall.
-  std::optional<LightSample> result(std::in_place);
+  if (!(pdf > 0) || !std::isfinite(pdf)) return result;
+  result.emplace();
   result->wi = wi;
-  result->radiance = radiance;
+  result->radiance = emission_at(q.uv) * opacity_at(q.uv);
   result->pdf = pdf;
   result->distance = distance;
-  result->target = q.p + (cosine < 0 ? -error : error) * q.n;
+  result->target = q.p + (cosine < 0 ? -q.error : q.error) * q.n;
   return result;
 }
 

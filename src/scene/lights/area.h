@@ -30,7 +30,7 @@ class AreaLight {
  private:
   struct Point {
     Vec3 p, n;
-    Vec3 magnitude;
+    float error;  // as that of a Surface
     Vec2 uv;
     float pdf;  // per world area
   };
@@ -56,6 +56,7 @@ class AreaLight {
   Distribution1D triangles_;               // by world area; empty for rectangles
   Rectangle rectangle_;                    // world
   Vec3 rectangle_normal_{0};               // unit, world, outer side
+  float rectangle_error_ = 0;              // of its points
   double area_ = 0;                        // world; canonical where analytic
   float inverse_area_ = 0;
   float placed_error_ = 0;                 // that an instance brings, world units; 0 without one
