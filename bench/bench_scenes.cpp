@@ -38,7 +38,8 @@ std::shared_ptr<const TextureImage> noise_image(int size, int texel, std::uint64
   TexelGrid<Srgb8> texels(size, size);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
-      const std::uint64_t bits = hash_combine(seed, static_cast<std::uint64_t>((y / texel) * size + x / texel));
+      const std::uint64_t bits =
+          hash_combine(seed, static_cast<std::uint64_t>((y / texel) * size + x / texel));
       const auto channel = [&](int shift) {
         return static_cast<std::uint8_t>(120 + ((bits >> shift) & 127u));
       };
@@ -96,8 +97,8 @@ SceneDescription textured(int wall_cells, int ball_cells, float relief, int text
   for (const float side : {-0.8f, 0.9f}) {
     const auto position = [&](float a, float b) {
       const float phi = two_pi * a, theta = pi * (1 - b), r = 0.6f + 1.5f * relief * bump(a, b);
-      return Vec3{side, 0.65f, side / 2} + r * Vec3{std::sin(theta) * std::cos(phi), std::cos(theta),
-                                                    -std::sin(theta) * std::sin(phi)};
+      return Vec3{side, 0.65f, side / 2} +
+             r * Vec3{std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi)};
     };
     add(scene, grid(ball_cells, position), material());
   }

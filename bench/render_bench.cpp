@@ -33,7 +33,8 @@ SceneDescription scene_by_name(const std::string& name) {
   if (name == "textured-box") return textured_box();
   if (name == "textured-room") return textured_room();
   if (name == "instances") return instanced_field();
-  throw std::invalid_argument("scenes are cornell-box, textured-box, textured-room and instances, not '" + name + "'");
+  throw std::invalid_argument("scenes are cornell-box, textured-box, textured-room and instances, not '" +
+                              name + "'");
 }
 
 void run(const std::string& name, int threads, int spp) {

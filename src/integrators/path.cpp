@@ -79,7 +79,8 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const std::optional<Hit> hit = scene.intersect(ray);
     if (!hit) {
       if (!scene.has_environment()) break;
-      const float weight = arrival.delta ? 1 : bsdf_weight(strategy, arrival.pdf, scene.environment_pdf(ray.d));
+      const float weight =
+          arrival.delta ? 1 : bsdf_weight(strategy, arrival.pdf, scene.environment_pdf(ray.d));
       if (weight > 0) add(throughput * scene.background(ray.d) * weight, bounces);
       break;
     }

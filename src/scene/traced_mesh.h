@@ -20,7 +20,7 @@ struct Triangle {
   glm::uvec3 vertices;
   float magnitude;  // largest coordinate of its vertices
   Vec3 n;           // geometric normal, unit
-  float sliver;     // what the ray traversal may misjudge the distance to it by beyond surface_error(magnitude)
+  float sliver;  // what the ray traversal may misjudge the distance to it by beyond surface_error(magnitude)
 };
 static_assert(sizeof(Triangle) == 32);
 

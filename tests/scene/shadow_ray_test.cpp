@@ -13,7 +13,8 @@ constexpr LightId light{0};
 // A floor below a light, turned, scaled and moved together. `sheet_height` < 0: nothing between; else a thin sheet
 // there, between the floor at 0 and the light at 1 and above. An instanced light is moved away within its object
 // and back by its place.
-SceneDescription stage(const ShapeKinds& emitter, const Affine& place, double sheet_height, bool instanced = false) {
+SceneDescription stage(const ShapeKinds& emitter, const Affine& place, double sheet_height,
+                       bool instanced = false) {
   SceneDescription description;
   const MaterialId matte = add_matte(description, grey(0.5f));
   add_shape(description, rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte).to_world = place;

@@ -45,9 +45,10 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
   const glm::uvec3& t = mesh_->triangles[0].vertices;
   const Vec3d corner(mesh_->vertices[t.x].p);
   const Vec3d normal = cross(Vec3d(mesh_->vertices[t.y].p) - corner, Vec3d(mesh_->vertices[t.z].p) - corner);
-  rectangle_error_ = std::max(surface_error(max_component(glm::abs(rectangle_.origin) + glm::abs(rectangle_.edge_u) +
-                                                          glm::abs(rectangle_.edge_v))),
-                              placed_error_);
+  rectangle_error_ =
+      std::max(surface_error(max_component(glm::abs(rectangle_.origin) + glm::abs(rectangle_.edge_u) +
+                                           glm::abs(rectangle_.edge_v))),
+               placed_error_);
   rectangle_normal_ = Vec3(glm::normalize(from_world_.transposed(normal)));
 }
 
@@ -107,7 +108,8 @@ float AreaLight::area_pdf(const Vec3& n) const {
 }
 
 std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const {
-  std::optional<LightSample> result;  // built in place: a copy of what was just stored piece by piece would stall
+  std::optional<LightSample>
+      result;  // built in place: a copy of what was just stored piece by piece would stall
   const Point q = point(u);
   const Vec3 to_light = q.p - p;
   const float distance = glm::length(to_light);

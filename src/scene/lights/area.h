@@ -59,7 +59,7 @@ class AreaLight {
   float rectangle_error_ = 0;              // of its points
   double area_ = 0;                        // world; canonical where analytic
   float inverse_area_ = 0;
-  float placed_error_ = 0;                 // that an instance brings, world units; 0 without one
+  float placed_error_ = 0;  // that an instance brings, world units; 0 without one
 };
 
 }  // namespace umbral
