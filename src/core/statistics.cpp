@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 namespace umbral {
@@ -27,6 +28,10 @@ double student_quantile(double confidence, double dof) {
 
 double student_two_sided_p(double t, double dof) {
   return 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(dof), std::abs(t)));
+}
+
+double fisher_upper_p(double f, double dof_above, double dof_below) {
+  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof_above, dof_below), f));
 }
 
 }  // namespace umbral

@@ -35,4 +35,7 @@ double student_quantile(double confidence, double dof);
 // P(|T| ≥ |t|) under Student's distribution.
 double student_two_sided_p(double t, double dof);
 
+// P(F ≥ f) under Fisher's distribution of the ratio of two variances with so many degrees of freedom.
+double fisher_upper_p(double f, double dof_above, double dof_below);
+
 }  // namespace umbral

@@ -82,5 +82,15 @@ TEST(Student, PIsTheInverseOfTheQuantile) {
   EXPECT_NEAR(student_two_sided_p(1, 1), 0.5, 1e-12);  // Cauchy
 }
 
+// The tables of any book, and the square of Student's t.
+TEST(Fisher, TailsAreThePublishedOnes) {
+  EXPECT_NEAR(fisher_upper_p(4.965, 1, 10), 0.05, 5e-5);
+  EXPECT_NEAR(fisher_upper_p(3.326, 5, 10), 0.05, 5e-5);
+  EXPECT_NEAR(fisher_upper_p(5.636, 5, 10), 0.01, 5e-5);
+  for (const double t : {0.5, 1.0, 3.0})
+    EXPECT_NEAR(fisher_upper_p(t * t, 1, 7), student_two_sided_p(t, 7), 1e-12);
+  EXPECT_DOUBLE_EQ(fisher_upper_p(0, 3, 3), 1);
+}
+
 }  // namespace
 }  // namespace umbral
