@@ -6,5 +6,7 @@
 namespace umbral::assets {
 
 extern const std::string_view page_css;  // of every page
+extern const std::string_view plot_css;
+extern const std::string_view plot_js;
 
 }  // namespace umbral::assets
