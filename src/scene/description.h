@@ -13,7 +13,7 @@
 #include "scene/lights/spot.h"
 #include "scene/material.h"
 #include "scene/shapes/shapes.h"
-#include "scene/textures.h"
+#include "scene/textures/textures.h"
 
 namespace umbral {
 

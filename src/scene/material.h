@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bsdf/lobes.h"
-#include "scene/textures.h"
+#include "scene/textures/textures.h"
 
 namespace umbral {
 

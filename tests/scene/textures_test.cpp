@@ -1,5 +1,5 @@
 // Textures: how uv is placed, what they evaluate to, and bounds that hold for all of it.
-#include "scene/textures.h"
+#include "scene/textures/textures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Evaluation of textures and the bounds of what they can give.
-#include "scene/textures.h"
+// A texture's value by its kind, as a colour or as one number of it.
+#include "scene/textures/textures.h"
 
 namespace umbral {
 namespace {
@@ -21,34 +21,6 @@ float channel_of(const Spectrum& value, TextureChannel channel) {
 }
 
 }  // namespace
-
-UvMap::UvMap(const UvTransform& transform) : offset_(transform.offset) {
-  const float c = std::cos(glm::radians(transform.rotation)), s = std::sin(glm::radians(transform.rotation));
-  row_u_ = {c * transform.scale.x, -s * transform.scale.y};
-  row_v_ = {s * transform.scale.x, c * transform.scale.y};
-}
-
-Spectrum ImageTexture::evaluate(const Vec2& uv) const {
-  return image->lookup(uv_map(uv), wrap, filter) * factor + bias;
-}
-
-TextureBounds ImageTexture::bounds() const {
-  auto [low, high] = image->min_max();
-  if (wrap == Wrap::none) {  // beyond the image every channel is 0
-    low = glm::min(low, Spectrum(0.0f));
-    high = glm::max(high, Spectrum(0.0f));
-  }
-  const Spectrum a = low * factor + bias, b = high * factor + bias;
-  return {glm::min(a, b), glm::max(a, b)};
-}
-
-Spectrum CheckerTexture::evaluate(const Vec2& uv) const {
-  const Vec2 square = glm::floor(uv_map(uv));
-  const float parity = square.x + square.y - 2 * std::floor((square.x + square.y) / 2);
-  return parity == 0 ? even : odd;
-}
-
-TextureBounds CheckerTexture::bounds() const { return {glm::min(even, odd), glm::max(even, odd)}; }
 
 void Texture::prepare() {
   std::visit([](auto& texture) { texture.prepare(); }, kind);

@@ -1,0 +1,20 @@
+// Look-up of an image texture and the bounds of what it can give.
+#include "scene/textures/image_texture.h"
+
+namespace umbral {
+
+Spectrum ImageTexture::evaluate(const Vec2& uv) const {
+  return image->lookup(uv_map(uv), wrap, filter) * factor + bias;
+}
+
+TextureBounds ImageTexture::bounds() const {
+  auto [low, high] = image->min_max();
+  if (wrap == Wrap::none) {  // beyond the image every channel is 0
+    low = glm::min(low, Spectrum(0.0f));
+    high = glm::max(high, Spectrum(0.0f));
+  }
+  const Spectrum a = low * factor + bias, b = high * factor + bias;
+  return {glm::min(a, b), glm::max(a, b)};
+}
+
+}  // namespace umbral

@@ -1,0 +1,50 @@
+// A texture from an image file.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "core/parameters.h"
+#include "image/texture_image.h"
+#include "scene/textures/texture_value.h"
+#include "scene/textures/uv_map.h"
+
+namespace umbral {
+
+struct ImageTexture {
+  std::string file;
+  ColorSpace color_space = ColorSpace::automatic;
+  Wrap wrap = Wrap::repeat;
+  TextureFilter filter = TextureFilter::bilinear;
+  TextureChannel channel = TextureChannel::luminance;
+  float factor = 1, bias = 0;
+  Vec2 uv_scale{1, 1};
+  float uv_rotation = 0;
+  Vec2 uv_offset{0, 0};
+
+  static constexpr const char* kind = "image";
+  static constexpr const char* doc = "an image file: value = texel × factor + bias";
+  static constexpr auto parameters =
+      std::tuple{required<&ImageTexture::file>("file", "image file, relative to the scene file"),
+                 parameter<&ImageTexture::color_space>(
+                     "color_space", "how texels are stored; automatic: 8-bit is sRGB, float linear"),
+                 parameter<&ImageTexture::wrap>("wrap", "what lies beyond the unit square"),
+                 parameter<&ImageTexture::filter>("filter", "how texels are joined"),
+                 parameter<&ImageTexture::channel>("channel", "what a parameter that takes one number gets"),
+                 parameter<&ImageTexture::factor>("factor", "multiplies each texel"),
+                 parameter<&ImageTexture::bias>("bias", "is added after the factor"),
+                 parameter<&ImageTexture::uv_scale>("uv_scale", "repeats of the image in u and v"),
+                 parameter<&ImageTexture::uv_rotation>("uv_rotation", "degrees, counter-clockwise"),
+                 parameter<&ImageTexture::uv_offset>("uv_offset", "in repeats, after scale and rotation")};
+
+  // What the reader loads; the texture cannot be evaluated before.
+  std::shared_ptr<const TextureImage> image = nullptr;
+  UvMap uv_map{};
+
+  void prepare() { uv_map = UvMap({uv_scale, uv_rotation, uv_offset}); }
+  Spectrum evaluate(const Vec2& uv) const;  // r, g, b and alpha
+  TextureBounds bounds() const;
+};
+
+}  // namespace umbral
