@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "analysis/p_values.h"
+#include "analysis/squared_bias.h"
+#include "core/parallel.h"
 #include "core/statistics.h"
 
 namespace umbral {
@@ -13,22 +15,50 @@ namespace {
 
 constexpr const char* channel_names[] = {"red", "green", "blue"};
 
-// `alpha` is that of the most demanding step of Holm's procedure. A difference of mde is found with probability 0.9:
-//   mde = (t_{1−α/2} + t_{0.9})·SE/|expected|
-void test(Statistic& s, double alpha, double resolution) {
-  const double scale = std::abs(s.expected);
-  const double excess = std::max(0.0, std::abs(s.measured - s.expected) - resolution * scale);
+// How many standard errors a difference must be to be found with probability 0.9 by a test of size `alpha`, taken to
+// have `tails` tails.
+double reach(double alpha, int tails, double dof) {
+  return student_quantile(1 - 2 * alpha / tails, dof) + student_quantile(0.8, dof);
+}
+
+// Two-sided; below the resolution nothing is a difference.
+void test_mean(Statistic& s, double alpha, double resolution) {
+  const double unit = std::abs(s.expected);
+  const double excess = std::max(0.0, std::abs(s.measured - s.expected) - resolution * unit);
   s.p = excess == 0            ? 1
         : s.standard_error > 0 ? student_two_sided_p(excess / s.standard_error, s.degrees_of_freedom)
                                : 0;
-  if (s.standard_error <= resolution * scale) s.skewness = 0;  // of rounding: of no interest
+  if (s.standard_error <= resolution * unit) s.skewness = 0;  // of rounding: of no interest
+  if (s.standard_error == 0)
+    s.mde = resolution;
+  else
+    s.mde = s.scale > 0 ? reach(alpha, 2, s.degrees_of_freedom) * s.standard_error / s.scale + resolution
+                        : infinity;
+}
+
+// One-sided: (μ_b − μ_a)² is never below 0.
+void test_squared_bias(Statistic& s, double alpha, double resolution) {
+  const double excess = s.measured - sqr(resolution * s.scale);
   if (s.standard_error == 0) {
+    s.p = excess > 0 ? 0 : 1;
     s.mde = resolution;
     return;
   }
-  const double reach =
-      student_quantile(1 - alpha, s.degrees_of_freedom) + student_quantile(0.8, s.degrees_of_freedom);
-  s.mde = scale > 0 ? reach * s.standard_error / scale + resolution : infinity;
+  const double tail = student_two_sided_p(excess / s.standard_error, s.degrees_of_freedom) / 2;
+  s.p = excess > 0 ? tail : 1 - tail;
+  s.mde = std::sqrt(reach(alpha, 1, s.degrees_of_freedom) * s.standard_error) / s.scale;
+}
+
+// `alpha` is that of the most demanding step of Holm's procedure.
+void test(Statistic& s, double alpha, double resolution) {
+  if (s.kind == StatisticKind::squared_bias)
+    test_squared_bias(s, alpha, resolution);
+  else
+    test_mean(s, alpha, resolution);
+}
+
+StatisticKind kind_of(const Region& region) {
+  return region.whole ? StatisticKind::image : StatisticKind::tile;
 }
 
 }  // namespace
@@ -89,6 +119,7 @@ Statistic statistic(std::string name, StatisticKind kind, const MeanEstimate& ex
   s.standard_error = std::sqrt(d.variance);
   s.degrees_of_freedom = d.degrees_of_freedom;
   s.skewness = d.skewness;
+  s.scale = std::abs(expected.value);
   return s;
 }
 
@@ -115,9 +146,30 @@ Judgement judged(const Replicates& expected, const Replicates& measured, const E
   for (std::size_t r = 0; r < measured.regions.size(); ++r) {
     const Region& region = measured.regions[r];
     for (int c = 0; c < 3; ++c)
-      statistics.push_back(statistic(region.name + " " + channel_names[c],
-                                     region.whole ? StatisticKind::image : StatisticKind::tile,
+      statistics.push_back(statistic(region.name + " " + channel_names[c], kind_of(region),
                                      expected.estimate(r, c), measured.estimate(r, c)));
+  }
+  return judged(std::move(statistics), settings);
+}
+
+Judgement judged(const EstimatedImage& expected, const EstimatedImage& measured,
+                 const std::vector<Region>& regions, const EqualitySettings& settings) {
+  std::vector<Statistic> statistics(3 * regions.size());
+  parallel_for(statistics.size(), [&](std::size_t i) {
+    const std::size_t r = i / 3;
+    const int c = static_cast<int>(i % 3);
+    statistics[i] = statistic(regions[r].name + " " + channel_names[c], kind_of(regions[r]),
+                              mean_of(expected, r, regions[r], c), mean_of(measured, r, regions[r], c));
+  });
+  double level = 0;  // of the whole image
+  for (int c = 0; c < 3; ++c) level += std::abs(statistics[c].expected) / 3;
+  for (Statistic& s : statistics) s.scale = std::max(s.scale, settings.scale_floor * level);
+  if (const auto bias = squared_bias(expected, measured)) {
+    Statistic s{"squared bias", StatisticKind::squared_bias, 0, bias->value};
+    s.standard_error = bias->standard_error;
+    s.degrees_of_freedom = bias->degrees_of_freedom;
+    s.scale = level;
+    statistics.push_back(std::move(s));
   }
   return judged(std::move(statistics), settings);
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "analysis/estimated_file.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "core/error.h"
@@ -18,6 +19,26 @@ namespace {
 int fail(int exit_code, const char* message) {
   fmt::print(stderr, "umbral: {}\n", message);
   return exit_code;
+}
+
+int exit_code_of(umbral::UnfitReason reason) {
+  switch (reason) {
+    case umbral::UnfitReason::size:
+      return umbral::exit_other_size;
+    case umbral::UnfitReason::channels:
+      return umbral::exit_no_channels;
+    case umbral::UnfitReason::not_finite:
+      return umbral::exit_not_finite;
+    case umbral::UnfitReason::no_error:
+      return umbral::exit_no_error_bars;
+    case umbral::UnfitReason::one_replicate:
+      return umbral::exit_one_replicate;
+    case umbral::UnfitReason::not_independent:
+      return umbral::exit_not_independent;
+    case umbral::UnfitReason::no_variance:
+      return umbral::exit_no_variance;
+  }
+  return umbral::exit_failure;
 }
 
 // CLI11 would only say that a command is required.
@@ -39,6 +60,7 @@ int run(int argc, char** argv) {
   umbral::add_check_command(app, exit_code);
   umbral::add_info_command(app, exit_code);
   umbral::add_merge_command(app, exit_code);
+  umbral::add_compare_command(app, exit_code);
   umbral::add_help_command(app, exit_code);
   if (argc < 2) {
     fmt::print(stderr, "{}", app.help());
@@ -63,6 +85,8 @@ int main(int argc, char** argv) {
     return umbral::exit_bad_input;
   } catch (const umbral::CombineError& error) {
     return fail(umbral::exit_bad_input, error.what());
+  } catch (const umbral::UnfitImage& error) {
+    return fail(exit_code_of(error.reason()), error.what());
   } catch (const umbral::OutputError& error) {
     return fail(umbral::exit_bad_output, error.what());
   } catch (const std::bad_alloc&) {

@@ -130,7 +130,7 @@ void read_attributes(const Imf::Header& header, ExrImage& image) {
   }
 }
 
-ExrImage read_first_part(const std::string& path) {
+ExrImage read_first_part(const std::string& path, const std::function<bool(const std::string&)>& wanted) {
   Imf::MultiPartInputFile file(path.c_str());
   const Imf::Header& header = file.header(0);
   require_plain(header, path);
@@ -145,10 +145,14 @@ ExrImage read_first_part(const std::string& path) {
   image.y1 = data.max.y + 1 - display.min.y;
   const auto pixels = static_cast<std::size_t>(image.x1 - image.x0) * (image.y1 - image.y0);
   for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
-    image.channels.push_back({channel.name(), std::vector<float>(pixels)});
-  Imf::InputPart part(file, 0);
-  part.setFrameBuffer(frame_buffer(image, data));
-  part.readPixels(data.min.y, data.max.y);
+    if (!wanted || wanted(channel.name()))
+      image.channels.push_back(
+          {channel.name(), std::vector<float>(pixels), channel.channel().type == Imf::HALF});
+  if (!image.channels.empty()) {
+    Imf::InputPart part(file, 0);
+    part.setFrameBuffer(frame_buffer(image, data));
+    part.readPixels(data.min.y, data.max.y);
+  }
   read_attributes(header, image);
   return image;
 }
@@ -176,10 +180,10 @@ void write_exr(const std::string& path, const ExrImage& image) {
   file.commit();
 }
 
-ExrImage read_exr(const std::string& path) {
+ExrImage read_exr(const std::string& path, const std::function<bool(const std::string&)>& wanted) {
   require_readable(path);
   try {
-    return read_first_part(path);
+    return read_first_part(path, wanted);
   } catch (const SceneError&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 // OpenEXR files of 32-bit float channels: whole or not at all.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@ namespace umbral {
 struct ExrChannel {
   std::string name;           // "R", "stderr.G", …
   std::vector<float> pixels;  // of the data window, row by row from the top
+  bool half = false;          // whether the file that it was read from holds 16-bit numbers
 };
 
 using ExrAttribute = std::variant<int, float, double, std::string>;
@@ -37,9 +39,9 @@ struct ExrImage {
 // is complete (see AtomicFile). Throws OutputError.
 void write_exr(const std::string& path, const ExrImage& image);
 
-// Reads the first part of any scan-line or tiled file; half and integer channels become float. A data window
-// that reaches out of the display window is kept as it is. Throws SceneError if the file is missing,
+// Reads the first part of any scan-line or tiled file, of which those channels that are `wanted`, all without it; half
+// and integer channels become float. A data window that reaches out of the display window is kept as it is. Throws SceneError if the file is missing,
 // truncated, not an OpenEXR image, deep, or has subsampled channels.
-ExrImage read_exr(const std::string& path);
+ExrImage read_exr(const std::string& path, const std::function<bool(const std::string&)>& wanted = {});
 
 }  // namespace umbral

@@ -57,6 +57,10 @@ std::vector<unsigned char> compressed(const std::string& path, int width, int he
 
 }  // namespace
 
+Spectrum tone_mapped(const Spectrum& linear, float exposure_stops, ToneMap tone_map) {
+  return limited(max(linear * std::exp2(exposure_stops), Spectrum(0.0f)), tone_map);
+}
+
 Spectrum display_colour(const Spectrum& linear, float exposure_stops, ToneMap tone_map) {
   if (std::isnan(linear.r) || std::isnan(linear.g) || std::isnan(linear.b)) return rgb(1, 0, 1);
   const Spectrum exposed = max(linear * std::exp2(exposure_stops), Spectrum(0.0f));

@@ -22,6 +22,10 @@ struct EnumNames<ToneMap> {
   static constexpr std::array<const char*, 3> names{"hue", "clip", "reinhard"};
 };
 
+// The displayable colour for finite `linear`, each channel in [0, 1], before the sRGB encoding. Negative channels
+// become 0.
+Spectrum tone_mapped(const Spectrum& linear, float exposure_stops, ToneMap tone_map);
+
 // The colour that a viewer shows for `linear`: sRGB-encoded, each channel in [0, 1]. Negative channels become
 // 0; a colour that is not a number becomes magenta (1, 0, 1), an infinite one white.
 Spectrum display_colour(const Spectrum& linear, float exposure_stops, ToneMap tone_map);
