@@ -24,7 +24,7 @@ inline Vec3 relative_xyz(const Vec3& rgb) {
 // Its inverse, of which the product with relative_xyz() is 1 to the last digits of float.
 Vec3 linear_rgb(const Vec3& relative_xyz);
 
-// The opponent space Y Cx Cz [Flohr 2000], which is linear: achromatic, red-green, blue-yellow.
+// The opponent space Y Cx Cz [Flohr et al. 1993], which is linear: achromatic, red-green, blue-yellow.
 inline Vec3 ycxcz(const Vec3& xyz) {
   return {116 * xyz.y - 16, 500 * (xyz.x - xyz.y), 200 * (xyz.y - xyz.z)};
 }

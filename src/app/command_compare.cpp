@@ -119,6 +119,7 @@ int command(const Arguments& arguments) {
   const Comparison comparison = compared(pair->a.image, pair->b.image, settings);
   if (!arguments.json.empty())
     write_text(arguments.json, comparison_json(comparison, *pair, settings).dump(2) + "\n");
+  if (!arguments.page.empty()) write_page(arguments.page, comparison_page(comparison, *pair, settings));
   if (!arguments.quiet) fmt::print("{}", comparison_text(comparison, *pair, settings));
   return exit_code_of(comparison);
 }

@@ -106,7 +106,7 @@ void print_overview(const std::vector<Topic>& topics) {
     fmt::print(" {}", topic.kind.empty() ? topic.doc : topic.kind);
     group = topic.group;
   }
-  fmt::print("\numbral COMMAND --help explains a command: render, check, info, merge, help.\n");
+  fmt::print("\numbral COMMAND --help explains a command: render, compare, check, info, merge, help.\n");
 }
 
 void print_help(const std::string& group, const std::string& kind) {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "report/compare_page.h"
+
 namespace umbral {
 namespace {
 
@@ -198,6 +200,36 @@ nlohmann::json comparison_json(const Comparison& comparison, const ComparedPair&
           {"image", json_of(comparison.image)},
           {"regions", std::move(changes)},
           {"metrics", std::move(metrics)}};
+}
+
+Page comparison_page(const Comparison& comparison, const ComparedPair& pair,
+                     const ComparisonSettings& settings) {
+  std::string tone = "unsure";
+  std::vector<double> p;
+  if (comparison.judgement) {
+    if (comparison.judgement->outcome == Outcome::agrees) tone = "good";
+    if (comparison.judgement->outcome == Outcome::differs) tone = "bad";
+    for (const Statistic& s : comparison.judgement->statistics)
+      if (s.kind == StatisticKind::tile) p.push_back(s.p);
+  }
+  const Plane z = comparison.judgement ? z_map(pair.a.image, pair.b.image) : Plane(0, 0);
+  CompareView view{pair.a.name,
+                   pair.b.name,
+                   verdict_text(comparison),
+                   reason_text(comparison, pair, settings.equality),
+                   "Luminance from A to B: " + change_text(comparison.image),
+                   tone,
+                   comparison_text(comparison, pair, settings),
+                   comparison_json(comparison, pair, settings).dump(2),
+                   pair.a.image.mean,
+                   pair.b.image.mean,
+                   z,
+                   comparison.flip,
+                   std::move(p),
+                   {},
+                   settings.exposure};
+  for (const Change& c : comparison.changes) view.labels.push_back({c.region, change_text(c)});
+  return compare_page(view);
 }
 
 }  // namespace umbral

@@ -7,6 +7,7 @@
 
 #include "analysis/comparison.h"
 #include "app/compare_inputs.h"
+#include "report/page.h"
 
 namespace umbral {
 
@@ -24,6 +25,10 @@ std::string comparison_text(const Comparison& comparison, const ComparedPair& pa
 /// The same numbers; those that are not known are null.
 nlohmann::json comparison_json(const Comparison& comparison, const ComparedPair& pair,
                                const ComparisonSettings& settings);
+
+/// A page with both images and all numbers.
+Page comparison_page(const Comparison& comparison, const ComparedPair& pair,
+                     const ComparisonSettings& settings);
 
 /// "+37.2 % ± 0.4 %".
 std::string change_text(const Change& change);

@@ -6,6 +6,8 @@
 namespace umbral::assets {
 
 extern const std::string_view page_css;  // of every page
+extern const std::string_view compare_css;
+extern const std::string_view compare_js;
 extern const std::string_view plot_css;
 extern const std::string_view plot_js;
 
