@@ -2,21 +2,45 @@
 #include "core/distribution.h"
 
 #include <algorithm>
+#include <numeric>
+#include <stdexcept>
 
 namespace umbral {
 
-Distribution1D::Distribution1D(std::span<const double> weights) : cdf_(weights.size() + 1, 0.0f) {
-  for (const double weight : weights) sum_ += weight;
+namespace {
+
+// Samplers draw multiples of 2⁻²⁴, and floats hold all of them: a table of such numbers is exact, and an index
+// with less than a step might never be drawn.
+constexpr double steps = 1 << 24;
+
+// The cumulative sum of `weights` in steps, rounded, then moved so that every index with a weight has a step or more.
+std::vector<double> cumulative_steps(std::span<const double> weights, double sum) {
+  const std::size_t n = weights.size();
+  std::vector<double> table(n + 1, 0.0);
   double running = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    running += sum_ > 0 ? weights[i] / sum_ : 1.0 / static_cast<double>(weights.size());
-    cdf_[i + 1] = static_cast<float>(std::min(running, 1.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    running += weights[i];
+    table[i + 1] = std::max(std::round(running / sum * steps), table[i] + (weights[i] > 0 ? 1 : 0));
   }
-  // Rounding may leave the last sum below 1: what is missing belongs to the last index that has a weight.
-  for (std::size_t i = weights.size(); i > 0; --i) {
-    cdf_[i] = 1;
-    if (sum_ <= 0 || weights[i - 1] > 0) break;
-  }
+  table[n] = steps;
+  for (std::size_t i = n; i-- > 1;)
+    table[i] = weights[i] > 0 ? std::min(table[i], table[i + 1] - 1) : table[i + 1];
+  return table;
+}
+
+}  // namespace
+
+Distribution1D::Distribution1D(std::span<const double> weights) : cdf_(weights.size() + 1, 0.0f) {
+  sum_ = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const std::vector<double> equal(sum_ > 0 ? 0 : weights.size(), 1.0);
+  const std::span<const double> used = sum_ > 0 ? weights : equal;
+  const auto drawn = std::count_if(used.begin(), used.end(), [](double weight) { return weight > 0; });
+  if (static_cast<double>(drawn) > steps)
+    throw std::length_error("a distribution over more than 2^24 weights: samples have not as many digits");
+  const std::vector<double> table =
+      cumulative_steps(used, sum_ > 0 ? sum_ : static_cast<double>(used.size()));
+  std::transform(table.begin(), table.end(), cdf_.begin(),
+                 [](double x) { return static_cast<float>(x / steps); });
 }
 
 Distribution1D::Draw Distribution1D::sample(float u) const {

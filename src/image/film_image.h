@@ -64,8 +64,8 @@ class CombineError : public std::runtime_error {
 // have one degree of freedom more, but is right only where all replicates have equally many samples.)
 //
 // The error of the whole image is combined in the same way, weighted by all samples; its degrees of freedom
-// are Welch and Satterthwaite's. Throws CombineError unless size, crop window, layers, auxiliary, scene hash,
-// integrator, filter and bias notes agree and no seed is in both.
+// are those of [Satterthwaite 1946] and [Welch 1947]. Throws CombineError unless size, crop window, layers,
+// auxiliary, scene hash, integrator, filter and bias notes agree and no seed is in both.
 FilmImage combined(const FilmImage& a, const FilmImage& b);
 
 }  // namespace umbral

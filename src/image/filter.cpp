@@ -19,7 +19,7 @@ constexpr float default_radius(FilterKind kind) {
   return 0;
 }
 
-// erf⁻¹(x) for |x| ≤ 0.9986 within 3 float roundings: the polynomials of Giles [2012] for single precision.
+// erf⁻¹(x) for |x| ≤ 0.9986 within 3 float roundings: the polynomials for single precision of [Giles 2012].
 // Samples are drawn for every camera ray; std::erf's inverse does not exist and Boost's takes ten times as
 // long.
 float erf_inverse(float x) {

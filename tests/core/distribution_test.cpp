@@ -2,6 +2,7 @@
 #include "core/distribution.h"
 
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -28,8 +29,7 @@ TEST(Distribution1D, EveryNumberGoesWhereTheTableSays) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double probability = distribution.probability(i);
-    // A float's grid is finer than the numbers' below ½: up to one number at either end.
-    EXPECT_NEAR(counts[i], probability * all_numbers, weights[i] > 0 ? 1 : 0) << i;
+    EXPECT_EQ(counts[i], probability * all_numbers) << i;
     EXPECT_NEAR(probability, weights[i] / sum, 1e-7) << i;
     if (weights[i] == 0) {
       EXPECT_EQ(counts[i], 0) << i;
@@ -37,6 +37,26 @@ TEST(Distribution1D, EveryNumberGoesWhereTheTableSays) {
     }
   }
   EXPECT_NEAR(distribution.sum(), sum, 1e-12);
+}
+
+// Shares far below a step of the sampler's numbers, beside one that takes nearly all, at every place of the list.
+TEST(Distribution1D, EveryPositiveWeightIsDrawn) {
+  const std::vector<double> first{1, 1e-12, 0, 1e-300, 1e-9, 1e-12},
+      middle{1e-12, 1e-12, 0, 1, 1e-9, 0, 1e-20}, last{0, 1e-12, 1e-9, 1e-12, 1},
+      halves{1e-12, 1, 1e-12, 1, 1e-12, 0};
+  for (const std::vector<double>& weights : {first, middle, last, halves}) {
+    const Distribution1D distribution(weights);
+    const std::vector<double> counts = all_draws(distribution);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      EXPECT_EQ(counts[i], distribution.probability(i) * all_numbers) << i;
+      EXPECT_EQ(counts[i] > 0, weights[i] > 0) << i;
+    }
+  }
+}
+
+TEST(Distribution1D, MoreWeightsThanNumbersAreRefused) {
+  const std::vector<double> too_many((1 << 24) + 1, 1.0);
+  EXPECT_THROW(Distribution1D{too_many}, std::length_error);
 }
 
 TEST(Distribution1D, ZeroWeightsAreNeverDrawnAtTheEnds) {

@@ -99,7 +99,7 @@ TEST(Combined, ByHand) {
   EXPECT_DOUBLE_EQ(merged.pixels[0].standard_error.r, std::sqrt(1800.0) / 400);
   EXPECT_DOUBLE_EQ(merged.error.standard_error, std::sqrt(1800.0) / 400);
   EXPECT_DOUBLE_EQ(merged.error.mean, 2.5);
-  // Welch and Satterthwaite: both shares are 900, (900 + 900)²/(900²/7 + 900²/3) = 8.4
+  // [Satterthwaite 1946; Welch 1947]: both shares are 900, (900 + 900)²/(900²/7 + 900²/3) = 8.4
   EXPECT_DOUBLE_EQ(merged.error.degrees_of_freedom, 8.4);
 }
 

@@ -41,7 +41,7 @@ Replicates replicates_of(const std::vector<PixelImage>& images, int tiles);
 // One-sample t tests against the truth; at least two replicates.
 Judgement judged(const std::vector<PixelImage>& replicates, const PixelImage& truth,
                  const GateSettings& settings);
-// Welch's t tests of two sets of replicates.
+// The t tests of [Welch 1947] of two sets of replicates.
 Judgement judged(const std::vector<PixelImage>& a, const std::vector<PixelImage>& b,
                  const GateSettings& settings);
 

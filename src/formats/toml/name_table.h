@@ -37,6 +37,7 @@ class NameTable {
     std::vector<std::string> names;
     for (const Thing& thing : things_) names.push_back(thing.entry->key);
     context_.error(value, fmt::format("there is no {} '{}'{}", noun_, *name, suggestion(*name, names)));
+    take_as_used(nearest_name(*name, names));
     return std::nullopt;
   }
 
@@ -69,6 +70,11 @@ class NameTable {
     std::optional<Id> id;
     bool used;
   };
+
+  // What a misspelt name probably meant is not called unused as well.
+  void take_as_used(const std::string& name) {
+    for (Thing& thing : things_) thing.used |= thing.entry->key == name;
+  }
 
   const Context& context_;
   const char* noun_;

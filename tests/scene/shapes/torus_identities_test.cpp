@@ -67,7 +67,7 @@ void expect_mean(const Moments& moments, double expected) {
 }
 
 // Isotropic lines through the ball of radius 1 + a cross a surface of area S 2S/S_ball times on average
-// (Cauchy and Crofton), and are within a body of volume V for 4V/S_ball.
+// [Cauchy 1850; Crofton 1868], and are within a body of volume V for 4V/S_ball.
 TEST_P(TorusIdentities, CroftonCountsAndLengths) {
   Random random(2);
   Moments hits, lengths;
