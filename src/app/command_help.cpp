@@ -98,7 +98,7 @@ void print_topic(const Topic& topic) {
 }
 
 void print_overview(const std::vector<Topic>& topics) {
-  fmt::print("umbral help GROUP [KIND] explains what a scene file may hold:\n");
+  fmt::print("umbral help GROUP [KIND] or umbral help KIND explains what a scene file may hold:\n");
   std::string group;
   for (const Topic& topic : topics) {
     if (topic.group != group)
@@ -109,24 +109,34 @@ void print_overview(const std::vector<Topic>& topics) {
   fmt::print("\numbral COMMAND --help explains a command: render, compare, check, info, merge, help.\n");
 }
 
-void print_help(const std::string& group, const std::string& kind) {
-  const std::vector<Topic> topics = all_topics();
-  if (group.empty()) return print_overview(topics);
-  std::vector<std::string> groups, kinds;
-  bool printed = false;
+// What "GROUP", "GROUP KIND" or "KIND" means: a kind may be one of several groups.
+std::vector<const Topic*> chosen_topics(const std::vector<Topic>& topics, const std::string& word,
+                                        const std::string& kind) {
+  std::vector<const Topic*> chosen;
+  std::vector<std::string> groups, kinds, words;
   for (const Topic& topic : topics) {
     if (groups.empty() || groups.back() != topic.group) groups.push_back(topic.group);
-    if (topic.group != group) continue;
-    kinds.push_back(topic.kind);
-    if (!kind.empty() && topic.kind != kind) continue;
+    if (topic.group == word) kinds.push_back(topic.kind);
+    words.insert(words.end(), {topic.group, topic.kind});
+    const bool by_group = topic.group == word && (kind.empty() || topic.kind == kind);
+    if (by_group || (topic.kind == word && kind.empty())) chosen.push_back(&topic);
+  }
+  if (!chosen.empty()) return chosen;
+  if (!kinds.empty())
+    throw SceneError(Where{}, "there is no " + word + " '" + kind + "'" + suggestion(kind, kinds));
+  throw SceneError(Where{}, "there is no help on '" + word + "'" +
+                                suggestion(word, nearest_name(word, words).empty() ? groups : words));
+}
+
+void print_help(const std::string& word, const std::string& kind) {
+  const std::vector<Topic> topics = all_topics();
+  if (word.empty()) return print_overview(topics);
+  bool printed = false;
+  for (const Topic* topic : chosen_topics(topics, word, kind)) {
     if (printed) fmt::print("\n");
-    print_topic(topic);
+    print_topic(*topic);
     printed = true;
   }
-  if (kinds.empty())
-    throw SceneError(Where{}, "there is no help on '" + group + "'" + suggestion(group, groups));
-  if (!printed)
-    throw SceneError(Where{}, "there is no " + group + " '" + kind + "'" + suggestion(kind, kinds));
 }
 
 }  // namespace
@@ -137,12 +147,15 @@ void add_help_command(CLI::App& app, int& exit_code) {
     std::string group, kind;
   };
   auto arguments = std::make_shared<Arguments>();
-  help->add_option("group", arguments->group,
-                   "material, texture, shape, light, integrator, camera, film, sampling");
+  help->add_option(
+      "group", arguments->group,
+      "material, texture, shape, light, integrator, camera, film, sampling, or a kind of them, or a command");
   help->add_option("kind", arguments->kind, "one of its kinds");
-  help->callback([arguments, &exit_code] {
-    print_help(arguments->group, arguments->kind);
+  help->callback([arguments, &app, &exit_code] {
     exit_code = exit_success;
+    for (const CLI::App* command : app.get_subcommands({}))
+      if (command->get_name() == arguments->group) return void(fmt::print("{}", command->help()));
+    print_help(arguments->group, arguments->kind);
   });
 }
 

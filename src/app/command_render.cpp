@@ -90,9 +90,9 @@ RenderOptions render_options(const Arguments& arguments, const SceneFile& file) 
   options.auxiliary = arguments.auxiliary;
   if (!arguments.crop.empty()) {
     const std::vector<int>& c = arguments.crop;
+    if (c[0] >= c[2] || c[1] >= c[3]) refuse("--crop wants x0,y0,x1,y1 with x0 < x1 and y0 < y1");
     require_pixel(options.film, c[0], c[1], "--crop");
     require_pixel(options.film, c[2] - 1, c[3] - 1, "--crop");
-    if (c[0] >= c[2] || c[1] >= c[3]) refuse("--crop wants x0,y0,x1,y1 with x0 < x1 and y0 < y1");
     options.crop = Crop{c[0], c[1], c[2], c[3]};
   }
   return options;
@@ -188,31 +188,52 @@ int command(const Arguments& arguments) {
   return exit_code_of(result, job.options);
 }
 
+// A finite number above `low`. CLI11's own checks accept NaN, and print a limit of 300 digits.
+CLI::Validator number_above(double low) {
+  return {[low](std::string& text) {
+            char* end = nullptr;
+            const double x = std::strtod(text.c_str(), &end);
+            if (end != text.c_str() && *end == 0 && std::isfinite(x) && x > low) return std::string();
+            return fmt::format("wants a number{}, not '{}'",
+                               std::isfinite(low) ? fmt::format(" above {}", low) : "", text);
+          },
+          ""};
+}
+
+// CLI11 alone would read -1 as 2⁶⁴ − 1.
+CLI::Validator whole_number() {
+  return {[](std::string& text) {
+            const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+            return whole ? std::string() : fmt::format("wants a whole number, 0 or above, not '{}'", text);
+          },
+          ""};
+}
+
 void add_options(CLI::App& render, Arguments& a) {
   render.add_option("scene", a.scene, "a .toml scene, or an .obj or .ply model")->required();
   render.add_option("-o,--output", a.output,
                     "the EXR to write, a PNG beside it; default: the scene's name, here");
   render.add_option("--integrator", a.integrator, "how light is gathered, instead of what the scene says");
   render.add_option("--spp", a.spp, "samples per pixel")->check(CLI::Range(1, 1 << 30));
-  render.add_option("--time", a.seconds, "seconds to sample for")->check(CLI::PositiveNumber);
+  render.add_option("--time", a.seconds, "seconds to sample for")->check(number_above(0));
   render.add_option("--target-error", a.target_error,
                     "stop at this RMS standard error relative to the mean, such as 1%");
   render.add_option("--replicates", a.replicates, "independent parts of each pixel's samples")
       ->check(CLI::Range(1, 1024));
   render.add_option("--sampler", a.sampler, "independent or sobol");
-  render.add_option("--seed", a.seed, "another seed gives an independent image");
+  render.add_option("--seed", a.seed, "another seed gives an independent image")->check(whole_number());
   render.add_option("--size", a.size, "image size, WIDTHxHEIGHT");
   render.add_option("--crop", a.crop, "part of the image: x0,y0,x1,y1")->delimiter(',')->expected(4);
   render.add_option("--threads", a.threads, "default: all")->check(CLI::Range(1, 4096));
   render.add_option("--env", a.environment, "a latitude-longitude image as the environment");
-  render.add_option("--exposure", a.exposure, "stops, of the PNG alone");
+  render.add_option("--exposure", a.exposure, "stops, of the PNG alone")->check(number_above(-infinity));
   render.add_flag("--layers", a.layers, "the integrator's layers as channels of their own");
   render.add_flag("--aux", a.auxiliary, "albedo, N and Z as channels of their own");
   render.add_flag("--quiet", a.quiet, "no progress, no summary");
   render.add_flag("--stats", a.statistics, "more about speed and memory");
   render.add_flag("--json", a.json, "the summary as JSON on standard output");
   render.add_option("--pixel", a.pixel, "no image: tells of this pixel, x,y")->delimiter(',')->expected(2);
-  render.add_option("--sample", a.sample, "with --pixel: replays this sample of it");
+  render.add_option("--sample", a.sample, "with --pixel: replays this sample of it")->check(whole_number());
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 namespace umbral {
 namespace {
 
-std::string bound(double x) { return std::isinf(x) ? "∞" : fmt::format("{:g}", x); }
+// All digits of a whole number, where fmt's shortest form would round 1048576 to 1.04858e+06.
+std::string bound(float x) { return x == std::round(x) ? fmt::format("{:.0f}", x) : fmt::format("{}", x); }
 
 // The shortest digits that read back as the same number.
 std::string number(float x) { return fmt::format("{}", x); }

@@ -154,6 +154,11 @@ TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
   refused("render room.toml --sampler sobl", "did you mean 'sobol'?");
   refused("render room.toml --size 0x5", "--size wants WIDTHxHEIGHT");
   refused("render room.toml --crop 0,0,17,3", "--crop 16,2 is outside the image of 16x12 pixels");
+  refused("render room.toml --crop 0,0,0,0", "--crop wants x0,y0,x1,y1 with x0 < x1 and y0 < y1");
+  refused("render room.toml --time nan", "--time: wants a number above 0, not 'nan'");
+  refused("render room.toml --time -1", "--time: wants a number above 0, not '-1'");
+  refused("render room.toml --exposure inf", "--exposure: wants a number, not 'inf'");
+  refused("render room.toml --seed -1", "--seed: wants a whole number, 0 or above, not '-1'");
   refused("render room.toml --pixel 16,0", "is outside the image");
   refused("render room.toml --sample 3", "--sample needs --pixel");
   refused("render room.toml --target-error nought", "--target-error wants a share above 0");
@@ -162,6 +167,9 @@ TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
   refused("info room.toml", "room.toml: error: ");
   refused("help material mate", "did you mean 'matte'?");
   refused("help metarial", "did you mean 'material'?");
+  refused("help torsu", "did you mean 'torus'?");
+  refused("help zebra",
+          "known are 'camera', 'film', 'sampling', 'integrator', 'material', 'texture', 'shape' and 'light'");
 }
 
 TEST_F(Cli, UnwritableOutputIsToldBeforeTheRender) {
@@ -183,6 +191,14 @@ TEST_F(Cli, HelpExplainsEveryKindOfEveryGroup) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_TRUE(has(outcome, "default ")) << group;
   }
+}
+
+TEST_F(Cli, HelpFindsAKindInAnyGroupAndACommand) {
+  const Outcome blinn_phong = run("help blinn_phong");
+  EXPECT_EQ(blinn_phong.exit_code, 0);
+  EXPECT_TRUE(has(blinn_phong, "integrator blinn_phong: ")) << blinn_phong.text;
+  EXPECT_TRUE(has(blinn_phong, "\nmaterial blinn_phong: ")) << blinn_phong.text;
+  EXPECT_TRUE(has(run("help merge"), "Usage: ")) << run("help merge").text;
 }
 
 }  // namespace

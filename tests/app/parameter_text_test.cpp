@@ -15,6 +15,7 @@ TEST(ParameterText, RangesReadAsInequalities) {
   EXPECT_EQ(range_text(positive), "> 0");
   EXPECT_EQ(range_text(non_negative), "≥ 0");
   EXPECT_EQ(range_text(Range{0, 180, true, true}), "> 0, < 180");
+  EXPECT_EQ(range_text(Range{0.1f, 1 << 20}), "0.1 … 1048576");
 }
 
 TEST(ParameterText, TellsTypeAndDefaultOfEachParameter) {
