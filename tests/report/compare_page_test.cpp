@@ -41,7 +41,9 @@ class ComparePage : public testing::Test {
                      {},
                      {}};
     if (with_errors) view.p = {0.01, 0.02, 0.5, 0.99};
-    view.labels.push_back({{"A1", 0, 0, 4, 4}, "+100 %"});
+    view.labels = std::vector<CompareView::Label>(1);
+    view.labels[0].region = {"A1", 0, 0, 4, 4};
+    view.labels[0].text = "+100 %";
     const std::string path = (directory_.path() / "page.html").string();
     write_page(path, compare_page(view));
     return test::run_in_page(path, helpers + script);
