@@ -16,6 +16,17 @@ LogEstimate ConvergencePoint::efficiency() const {
   return combination(terms);
 }
 
+namespace {
+
+double median_skewness(std::span<const ConvergencePoint> points) {
+  std::vector<double> values;
+  for (const ConvergencePoint& p : points) values.push_back(p.variance.skewness);
+  std::nth_element(values.begin(), values.begin() + std::ssize(values) / 2, values.end());
+  return values[values.size() / 2];
+}
+
+}  // namespace
+
 // slope = Σ wᵢ yᵢ with wᵢ = (xᵢ − x̄)/Σ (xⱼ − x̄)². Straightness: the mean of the squared residuals over that of the
 // points' variances is Fisher's F if these are alike, as they are for equally many replicates.
 std::optional<PowerLaw> fitted_power_law(std::span<const ConvergencePoint> points) {
@@ -37,6 +48,7 @@ std::optional<PowerLaw> fitted_power_law(std::span<const ConvergencePoint> point
   for (const ConvergencePoint& p : points)
     residuals += sqr(p.variance.log - y_mean - slope.log * (std::log(p.samples) - x_mean));
   PowerLaw law{slope};
+  law.slope.skewness = median_skewness(points);
   if (total.variance > 0)
     law.straightness_p =
         fisher_upper_p(residuals / (n - 2) / (total.variance / n), n - 2, total.degrees_of_freedom);

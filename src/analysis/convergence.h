@@ -23,7 +23,7 @@ struct ConvergencePoint {
 /// variance ∝ samples^slope, fitted to logarithms. −1 is Monte Carlo, −1.5 scrambled nets on integrands with edges, −3
 /// on smooth ones [Owen 1997].
 struct PowerLaw {
-  LogEstimate slope;          // its `log` is the slope
+  LogEstimate slope;          // its `log` is the slope, its skewness the median of the points'
   double straightness_p = 1;  // the chance of points as far from a straight line if they lay on one
 
   // Whether the points are shown not to lie on a line; with skewed noise nothing is shown.

@@ -4,29 +4,20 @@
 #include "core/parallel.h"
 
 namespace umbral {
-namespace {
 
-std::vector<Vec3d> mean_of_images(std::span<const std::vector<Vec3d>> images) {
-  std::vector<Vec3d> mean(images.front().size(), Vec3d(0));
-  for (const std::vector<Vec3d>& image : images)
-    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += image[i] / static_cast<double>(images.size());
-  return mean;
-}
-
-}  // namespace
-
-ReplicateProducts::ReplicateProducts(std::span<const std::vector<Vec3d>> replicates,
-                                     std::span<const Vec3d> origin)
+ReplicateProducts::ReplicateProducts(std::span<const Planes> replicates, const Planes& origin)
     : count_(replicates.size()), products_(count_ * count_) {
-  std::vector<Vec3d> mean;
-  if (origin.empty()) origin = mean = mean_of_images(replicates);
+  const Planes& zero = origin.empty() ? replicates.front() : origin;
   parallel_for(count_, [&](std::size_t i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      Vec3d sum(0);
-      for (std::size_t pixel = 0; pixel < origin.size(); ++pixel)
-        sum += (replicates[i][pixel] - origin[pixel]) * (replicates[j][pixel] - origin[pixel]);
-      products_[i * count_ + j] = products_[j * count_ + i] =
-          (sum.x + sum.y + sum.z) / (3 * static_cast<double>(origin.size()));
+      double sum = 0;
+      for (int c = 0; c < 3; ++c) {
+        const std::vector<float>&a = replicates[i].channels[c], &b = replicates[j].channels[c];
+        const std::vector<float>& o = zero.channels[c];
+        for (std::size_t pixel = 0; pixel < o.size(); ++pixel)
+          sum += (static_cast<double>(a[pixel]) - o[pixel]) * (static_cast<double>(b[pixel]) - o[pixel]);
+      }
+      products_[i * count_ + j] = products_[j * count_ + i] = sum / (3 * static_cast<double>(zero.pixels()));
     }
   });
 }

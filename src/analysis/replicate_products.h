@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/log_estimate.h"
-#include "core/math.h"
+#include "analysis/planes.h"
 
 namespace umbral {
 
@@ -21,8 +21,8 @@ struct ReferenceNoise {
 /// all. Variance does not depend on the origin; error and bias are about it.
 class ReplicateProducts {
  public:
-  /// Of R ≥ 2 images of equally many pixels, about `origin`, or, where that is empty, about their mean.
-  ReplicateProducts(std::span<const std::vector<Vec3d>> replicates, std::span<const Vec3d> origin);
+  /// Of R ≥ 2 images of the same size, about `origin`, or, where that is empty, about the first of them.
+  ReplicateProducts(std::span<const Planes> replicates, const Planes& origin);
 
   std::size_t count() const { return count_; }
   double at(std::size_t i, std::size_t j) const { return products_[i * count_ + j]; }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/compare_inputs.h"
 #include "app/compare_report.h"
@@ -26,8 +27,6 @@ struct Arguments {
   int threads = 0;
   bool quiet = false;
 };
-
-[[noreturn]] void refuse(const std::string& message) { throw SceneError(Where{}, message); }
 
 // What a grid's cells are called: A1 is at the top left, the letter is the column's.
 std::vector<Region> grid_of(const std::string& text, int width, int height) {

@@ -106,7 +106,8 @@ void print_overview(const std::vector<Topic>& topics) {
     fmt::print(" {}", topic.kind.empty() ? topic.doc : topic.kind);
     group = topic.group;
   }
-  fmt::print("\numbral COMMAND --help explains a command: render, compare, check, info, merge, help.\n");
+  fmt::print(
+      "\numbral COMMAND --help explains a command: render, compare, converge, check, info, merge, help.\n");
 }
 
 // What "GROUP", "GROUP KIND" or "KIND" means: a kind may be one of several groups.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
@@ -33,33 +34,6 @@ struct Arguments {
   bool quiet = false, statistics = false, json = false, layers = false, auxiliary = false;
 };
 
-[[noreturn]] void refuse(const std::string& message) { throw SceneError(Where{}, message); }
-
-// "1%" or "0.01".
-double parsed_share(const std::string& text) {
-  std::size_t end = 0;
-  double value = 0;
-  try {
-    value = std::stod(text, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  const std::string rest = text.substr(end);
-  if (end == 0 || !(value > 0) || !std::isfinite(value) || (!rest.empty() && rest != "%"))
-    refuse("--target-error wants a share above 0, such as 1% or 0.01, not '" + text + "'");
-  return rest.empty() ? value : value / 100;
-}
-
-void apply_size(const std::string& text, FilmSettings& film) {
-  int width = 0, height = 0, used = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
-      static_cast<std::size_t>(used) != text.size() || std::min(width, height) < 1 ||
-      std::max(width, height) > 65536)
-    refuse("--size wants WIDTHxHEIGHT in pixels, 1 … 65536, not '" + text + "'");
-  film.width = width;
-  film.height = height;
-}
-
 void apply_sampler(const std::string& name, SamplingSettings& sampling) {
   const std::vector<std::string>& names = sampler_names();
   const auto found = std::find(names.begin(), names.end(), name);
@@ -83,7 +57,8 @@ RenderOptions render_options(const Arguments& arguments, const SceneFile& file) 
   if (arguments.seed) options.sampling.seed = *arguments.seed;
   if (!arguments.sampler.empty()) apply_sampler(arguments.sampler, options.sampling);
   if (arguments.seconds) options.seconds = *arguments.seconds;
-  if (!arguments.target_error.empty()) options.relative_error = parsed_share(arguments.target_error);
+  if (!arguments.target_error.empty())
+    options.relative_error = parsed_share(arguments.target_error, "--target-error");
   // The file's spp is a default; a rule from the command line takes its place unless --spp stands beside it.
   options.spp_bounds = arguments.spp || (!arguments.seconds && arguments.target_error.empty());
   options.layers = arguments.layers;

@@ -5,13 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "app/arguments.h"
 #include "core/parallel.h"
 #include "render/replicates.h"
 
 namespace umbral {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw SceneError(Where{}, message); }
 
 bool is_image(const std::string& path) { return path.ends_with(".exr") || path.ends_with(".EXR"); }
 
@@ -68,16 +67,6 @@ ComparedSide side_of(std::vector<EstimatedFile> files, const std::vector<std::st
   }
   side.source = source_text(files, side.image);
   return side;
-}
-
-void apply_size(const std::string& text, FilmSettings& film) {
-  int width = 0, height = 0, used = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
-      static_cast<std::size_t>(used) != text.size() || std::min(width, height) < 1 ||
-      std::max(width, height) > 65536)
-    refuse("--size wants WIDTHxHEIGHT in pixels, 1 … 65536, not '" + text + "'");
-  film.width = width;
-  film.height = height;
 }
 
 Planes planes_of(const ImageReplicate& replicate, const FilmSettings& film) {

@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   umbral::add_info_command(app, exit_code);
   umbral::add_merge_command(app, exit_code);
   umbral::add_compare_command(app, exit_code);
+  umbral::add_converge_command(app, exit_code);
   umbral::add_help_command(app, exit_code);
   if (argc < 2) {
     fmt::print(stderr, "{}", app.help());

@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/arguments.h"
 #include "app/parameter_text.h"
 #include "core/names.h"
 #include "formats/settings_text.h"
 
 namespace umbral {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw SceneError(Where{}, message); }
 
 // One setting and its alternatives, at least one.
 struct Axis {

@@ -74,15 +74,16 @@ class Drawing {
  private:
   // The legend has a row for two entries.
   double top_of_area() const {
-    return top + key_height * std::ceil(static_cast<double>(plot_.series.size()) / 2);
+    return top + key_height * std::ceil(static_cast<double>(plot_.series.size() + plot_.guides.size()) / 2);
   }
+  static double key_x(std::size_t i) { return left + (i % 2 == 0 ? 0 : (width - left - right) / 2); }
+  static double key_y(std::size_t i) { return top + key_height * static_cast<double>(i / 2); }
   double total_height() const { return height + top_of_area() - top; }
 
   std::string keys() const {
     std::string text;
     for (std::size_t i = 0; i < plot_.series.size(); ++i) {
-      const double x = left + (i % 2 == 0 ? 0 : (width - left - right) / 2);
-      const double y = top + key_height * static_cast<double>(i / 2);
+      const double x = key_x(i), y = key_y(i);
       text += fmt::format(
           "<g class=\"key series-{}\" data-series=\"{}\" tabindex=\"0\" role=\"button\" "
           "aria-pressed=\"true\">"
@@ -90,6 +91,12 @@ class Drawing {
           "<path class=\"curve\" d=\"M{:.1f} {:.1f}h26\"/>{}<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text></g>\n",
           i % colours + 1, i, x, y - 10, key_height, x, y, marker(i, x + 13, y), x + 34, y + 4,
           html_text(plot_.series[i].name));
+    }
+    for (std::size_t i = 0; i < plot_.guides.size(); ++i) {
+      const double x = key_x(plot_.series.size() + i), y = key_y(plot_.series.size() + i);
+      text += fmt::format(
+          "<path class=\"guide\" d=\"M{:.1f} {:.1f}h26\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y,
+          x + 34, y + 4, html_text(plot_.guides[i].name));
     }
     return text;
   }
@@ -134,11 +141,8 @@ class Drawing {
       const double x = std::min(extents_.x.high, by_height);
       if (!(x > first.x)) continue;
       const double y = first.y * std::pow(x / first.x, guide.slope);
-      text += fmt::format(
-          "<path class=\"guide\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>"
-          "<text class=\"guide\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-          x_.place(first.x), y_.place(first.y), x_.place(x), y_.place(y), x_.place(x) - 4, y_.place(y) - 6,
-          html_text(guide.name));
+      text += fmt::format("<path class=\"guide\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", x_.place(first.x),
+                          y_.place(first.y), x_.place(x), y_.place(y));
     }
     return text;
   }

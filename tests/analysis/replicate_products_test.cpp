@@ -10,21 +10,21 @@ namespace umbral::test {
 namespace {
 
 // The definition, pixel by pixel.
-double mean_variance(const std::vector<std::vector<Vec3d>>& images) {
-  double sum = 0;
-  for (std::size_t pixel = 0; pixel < images[0].size(); ++pixel)
+double mean_variance(const std::vector<Planes>& images) {
+  Moments variances;
+  for (std::size_t pixel = 0; pixel < images[0].pixels(); ++pixel)
     for (int c = 0; c < 3; ++c) {
       Moments moments;
-      for (const auto& image : images) moments.add(image[pixel][c]);
-      sum += moments.variance();
+      for (const Planes& image : images) moments.add(image.at(pixel)[c]);
+      variances.add(moments.variance());
     }
-  return sum / (3.0 * static_cast<double>(images[0].size()));
+  return variances.mean;
 }
 
 TEST(ReplicateProducts, VarianceIsThatOfThePixelsWhateverTheOrigin) {
   Random random(1);
   const auto images = noisy_images(7, 20, 2, 0.3, normal, random);
-  const std::vector<Vec3d> origin(20, Vec3d(-5, 3, 100));
+  const Planes origin = flat_image(20, Vec3d(-5, 3, 100));
   const double expected = mean_variance(images);
   EXPECT_NEAR(ReplicateProducts(images, {}).variance(), expected, 1e-13);
   EXPECT_NEAR(ReplicateProducts(images, origin).variance(), expected, 1e-9);
@@ -33,11 +33,11 @@ TEST(ReplicateProducts, VarianceIsThatOfThePixelsWhateverTheOrigin) {
 TEST(ReplicateProducts, ErrorIsTheMeanSquaredDistanceFromTheReference) {
   Random random(2);
   const auto images = noisy_images(5, 8, 1, 0.1, normal, random);
-  const std::vector<Vec3d> reference(8, Vec3d(1.5));
+  const Planes reference = flat_image(8, Vec3d(1.5));
   double expected = 0;
-  for (const auto& image : images)
-    for (const Vec3d& pixel : image) {
-      const Vec3d difference = pixel - 1.5;
+  for (const Planes& image : images)
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Vec3d difference = image.at(i) - 1.5;
       expected += dot(difference, difference) / (5 * 8 * 3);
     }
   EXPECT_NEAR(ReplicateProducts(images, reference).error(), expected, 1e-13);
@@ -68,14 +68,14 @@ TEST(ReplicateProducts, AFireflyShowsAsSkewness) {
   Random random(4);
   auto images = noisy_images(16, 50, 1, 0.01, normal, random);
   EXPECT_FALSE(ReplicateProducts(images, {}).log_variance()->skewed());
-  images[5][7] = Vec3d(100);
+  images[5].channels[1][7] = 100;
   EXPECT_TRUE(ReplicateProducts(images, {}).log_variance()->skewed());
 }
 
 TEST(ReplicateProducts, WhatNoiseOfTheReferenceDrownsHasNoLogarithm) {
   Random random(5);
   const auto images = noisy_images(16, 10, 1, 1e-4, normal, random);
-  const ReplicateProducts products(images, std::vector<Vec3d>(10, Vec3d(1)));
+  const ReplicateProducts products(images, flat_image(10, Vec3d(1)));
   EXPECT_TRUE(products.log_error({0, 0}));
   EXPECT_FALSE(products.log_error({1e-2, 0}));
   EXPECT_GT(products.log_error({0, 1e-8})->variance, products.log_error({0, 0})->variance);

@@ -25,17 +25,21 @@ inline Noise lognormal(double sigma) {
   return [=](Random& random) { return (std::exp(sigma * normal(random)) - mean) / deviation; };
 }
 
-/// A render of the flat image `mean`: each channel of each pixel with its own noise of that variance.
-inline std::vector<std::vector<Vec3d>> noisy_images(std::size_t count, std::size_t pixels, double mean,
-                                                    double variance, const Noise& noise, Random& random) {
-  std::vector<std::vector<Vec3d>> images(count);
-  for (auto& image : images)
-    for (std::size_t i = 0; i < pixels; ++i) {
-      Vec3d pixel(mean);
-      for (int c = 0; c < 3; ++c) pixel[c] += std::sqrt(variance) * noise(random);
-      image.push_back(pixel);
-    }
+/// Renders of the flat image `mean`: each channel of each pixel with its own noise of that variance.
+inline std::vector<Planes> noisy_images(std::size_t count, int pixels, double mean, double variance,
+                                        const Noise& noise, Random& random) {
+  std::vector<Planes> images(count, Planes(pixels, 1));
+  for (Planes& image : images)
+    for (std::vector<float>& channel : image.channels)
+      for (float& value : channel) value = static_cast<float>(mean + std::sqrt(variance) * noise(random));
   return images;
+}
+
+inline Planes flat_image(int pixels, const Vec3d& colour) {
+  Planes image(pixels, 1);
+  for (int c = 0; c < 3; ++c)
+    for (float& value : image.channels[c]) value = static_cast<float>(colour[c]);
+  return image;
 }
 
 }  // namespace umbral::test

@@ -1,0 +1,38 @@
+// Numbers out of words.
+#include "app/arguments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+
+namespace umbral {
+
+void refuse(const std::string& message) { throw SceneError(Where{}, message); }
+
+double parsed_share(const std::string& text, const std::string& option) {
+  std::size_t end = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  const std::string rest = text.substr(end);
+  if (end == 0 || !(value > 0) || !std::isfinite(value) || (!rest.empty() && rest != "%"))
+    refuse(option + " wants a share above 0, such as 1% or 0.01, not '" + text + "'");
+  return rest.empty() ? value : value / 100;
+}
+
+void apply_size(const std::string& text, FilmSettings& film) {
+  int width = 0, height = 0, used = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+      static_cast<std::size_t>(used) != text.size() || std::min(width, height) < 1 ||
+      std::max(width, height) > 65536)
+    refuse("--size wants WIDTHxHEIGHT in pixels, 1 … 65536, not '" + text + "'");
+  film.width = width;
+  film.height = height;
+}
+
+}  // namespace umbral

@@ -1,0 +1,19 @@
+// Words of the command line that several commands understand alike.
+#pragma once
+
+#include <string>
+
+#include "scene/settings.h"
+
+namespace umbral {
+
+/// Refuses what the command line asks for: throws SceneError without a place.
+[[noreturn]] void refuse(const std::string& message);
+
+/// A share above 0 out of "1%" or "0.01"; `option` is for the message. Throws SceneError.
+double parsed_share(const std::string& text, const std::string& option);
+
+/// Width and height out of "WIDTHxHEIGHT". Throws SceneError.
+void apply_size(const std::string& text, FilmSettings& film);
+
+}  // namespace umbral
