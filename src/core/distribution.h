@@ -8,9 +8,8 @@
 
 namespace umbral {
 
-// Over 0 … size−1, each with the probability weight/sum to the nearest 2⁻²⁴, the step of the numbers that samplers
-// draw, but never none where there is a weight: an index of which an estimate knows that it can be drawn, and that
-// is not, would be a bias. The probabilities told are exactly those that sample() follows.
+// Over 0 … size−1, each with the probability weight/sum to the nearest 2⁻²⁴, the step of the numbers that samplers draw,
+// but a step at least where there is a weight, as estimates rely on it. Draws follow the told probabilities exactly.
 class Distribution1D {
  public:
   struct Draw {
@@ -20,8 +19,7 @@ class Distribution1D {
   };
 
   Distribution1D() = default;
-  // Weights are finite and ≥ 0; where all are zero, every index gets the same probability. Throws
-  // std::length_error where more than 2²⁴ weights are positive.
+  // Weights are finite and ≥ 0, at most 2²⁴ (std::length_error) above 0; if all are 0, every index is as probable.
   explicit Distribution1D(std::span<const double> weights);
 
   std::size_t size() const { return cdf_.empty() ? 0 : cdf_.size() - 1; }
