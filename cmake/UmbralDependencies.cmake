@@ -2,7 +2,7 @@
 #
 # umbral::embree (3 or 4, says which)  OpenEXR::OpenEXR  OpenImageIO::OpenImageIO  glm::glm  TBB::tbb
 # Boost::headers  tomlplusplus::tomlplusplus  nlohmann_json::nlohmann_json  CLI11::CLI11  fmt::fmt, and with
-# the tests GTest::gtest_main, with the benchmarks benchmark::benchmark.
+# the tests GTest::gtest_main and GTest::gmock, with the benchmarks benchmark::benchmark.
 set(umbral_missing "")
 
 # Remembers that `what` was not found and which Debian package brings it.
@@ -102,6 +102,8 @@ if(UMBRAL_TESTS)
   find_package(GTest CONFIG QUIET)
   if(NOT GTest_FOUND)
     umbral_lacks("GoogleTest" libgtest-dev)
+  elseif(NOT TARGET GTest::gmock)  # a package of its own in Debian
+    umbral_lacks("GoogleMock" libgmock-dev)
   endif()
 endif()
 

@@ -10,7 +10,7 @@ umbral_root=$(dirname "$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")"
 # What Debian calls the libraries that the build needs; missing_packages adds the programs.
 umbral_library_packages=(libembree-dev libopenexr-dev libopenimageio-dev libglm-dev libtbb-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev libboost-dev nlohmann-json3-dev)
-umbral_test_packages=(libgtest-dev)
+umbral_test_packages=(libgtest-dev libgmock-dev)
 umbral_oldest_cmake=3.22
 
 say() { printf 'umbral: %s\n' "$*" >&2; }
