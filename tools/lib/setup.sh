@@ -138,20 +138,15 @@ jobs_at_a_time() {
   echo "${UMBRAL_JOBS:-$jobs}"
 }
 
-# Ends with what a log says of the failure and where it is.
+# Ends because CMake or the compiler failed: with CMake's complaint about libraries, if that is the reason, else
+# with what the log says and where it is.
 build_failed() {
-  local what=$1 log=$2 excerpt
+  local what=$1 log=$2 lacks excerpt
+  lacks=$(sed -nE 's/^ *(.* was not found: install the Debian package .*)/\1/p' "$log" | paste -sd ' ')
+  [[ -z $lacks ]] || die "$lacks${umbral_no_apt:+ $umbral_no_apt}"
   excerpt=$(grep -m1 -A24 '^FAILED: ' "$log" || tail -n 25 "$log")
   printf '%s\n' "$excerpt" >&2
   die "$what failed; the lines above are from $log"
-}
-
-# Ends because CMake failed: with its own complaint about libraries, if that is the reason.
-configure_failed() {
-  local log=$1 lacks
-  lacks=$(sed -nE 's/^ *(.* was not found: install the Debian package .*)/\1/p' "$log" | paste -sd ' ')
-  [[ -z $lacks ]] || die "$lacks${umbral_no_apt:+ $umbral_no_apt}"
-  build_failed "configuring" "$log"
 }
 
 # Deletes a build directory that was made before the tree moved here: CMake would refuse it.
@@ -177,7 +172,7 @@ configure() {
   say "configuring $preset in $directory"
   mkdir -p "$directory"
   [[ -e $directory/build.ninja ]] || rm -f "$cache"
-  (cd "$umbral_root" && cmake --preset "$preset" "$@") >"$log" 2>&1 || configure_failed "$log"
+  (cd "$umbral_root" && cmake --preset "$preset" "$@") >"$log" 2>&1 || build_failed "configuring" "$log"
 }
 
 # Shows how far Ninja is: a line that rewrites itself on a terminal, else a line every tenth.
