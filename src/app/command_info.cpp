@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/render_report.h"
 #include "image/film_file.h"
 
 namespace umbral {
@@ -27,6 +28,9 @@ void print_info(const std::string& path) {
                                  error.half_width(), error.degrees_of_freedom));
   print_line("error",
              fmt::format("{:.3g} % (RMS standard error of a pixel over the mean)", 100 * error.relative()));
+  const std::string tails = tails_text(image);
+  print_line("tails",
+             tails.empty() ? fmt::format("light (index {:.2f}), no fireflies", image.tail_index) : tails);
   print_line("samples",
              fmt::format("{:g} per pixel in {} replicates, {:g} rejected", image.samples_per_pixel(),
                          image.layout.replicates, image.samples_rejected));

@@ -31,7 +31,8 @@ struct Arguments {
   std::optional<double> seconds;
   std::string target_error;
   double exposure = 0;
-  bool quiet = false, statistics = false, json = false, layers = false, auxiliary = false;
+  bool quiet = false, statistics = false, json = false, layers = false, auxiliary = false,
+       pooled_error = false;
 };
 
 void apply_sampler(const std::string& name, SamplingSettings& sampling) {
@@ -61,6 +62,8 @@ RenderOptions render_options(const Arguments& arguments, const SceneFile& file) 
     options.relative_error = parsed_share(arguments.target_error, "--target-error");
   // The file's spp is a default; a rule from the command line takes its place unless --spp stands beside it.
   options.spp_bounds = arguments.spp || (!arguments.seconds && arguments.target_error.empty());
+  if (options.relative_error > 0 && replicate_count(options) < 2)
+    refuse("--target-error needs an error bar, and that two replicates and two samples at least");
   options.layers = arguments.layers;
   options.auxiliary = arguments.auxiliary;
   if (!arguments.crop.empty()) {
@@ -110,14 +113,15 @@ void write_and_tell(const Arguments& arguments, const RenderJob& job, const Rend
   const std::filesystem::path exr = output_path(arguments);
   std::filesystem::path png = exr;
   png.replace_extension(".png");
-  const FilmImage image = film_image(*result.film, provenance(job, result, scene));
+  FilmImage image = film_image(*result.film, provenance(job, result, scene));
+  image.with_pooled_error = arguments.pooled_error;
   write_film(exr.string(), image);
   write_png(png.string(), image.layout.crop_width(), image.layout.crop_height(), image.colours(),
             static_cast<float>(arguments.exposure));
   if (const std::string rejected = rejected_text(*result.film, job); !rejected.empty())
     fmt::print(stderr, "{}\n", rejected);
   if (arguments.json) {
-    fmt::print("{}\n", summary_json(image, scene, exr.string(), png.string()));
+    fmt::print("{}\n", summary_json(image, scene, result.target, exr.string(), png.string()));
     return;
   }
   if (arguments.quiet) return;
@@ -127,8 +131,7 @@ void write_and_tell(const Arguments& arguments, const RenderJob& job, const Rend
 
 int exit_code_of(const RenderResult& result, const RenderOptions& options) {
   if (result.stop_reason == "interrupted") return exit_interrupted;
-  if (options.relative_error > 0 && result.film->image_error().relative() > options.relative_error)
-    return exit_not_reached;
+  if (options.relative_error > 0 && !result.target.reached) return exit_not_reached;
   return exit_success;
 }
 
@@ -191,8 +194,10 @@ void add_options(CLI::App& render, Arguments& a) {
   render.add_option("--integrator", a.integrator, "how light is gathered, instead of what the scene says");
   render.add_option("--spp", a.spp, "samples per pixel")->check(CLI::Range(1, 1 << 30));
   render.add_option("--time", a.seconds, "seconds to sample for")->check(number_above(0));
-  render.add_option("--target-error", a.target_error,
-                    "stop at this RMS standard error relative to the mean, such as 1%");
+  render.add_option(
+      "--target-error", a.target_error,
+      "stop when the RMS standard error of a pixel is below this share of the image's mean, such as "
+      "1%, with 95 % confidence");
   render.add_option("--replicates", a.replicates, "independent parts of each pixel's samples")
       ->check(CLI::Range(1, 1024));
   render.add_option("--sampler", a.sampler, "independent or sobol");
@@ -204,6 +209,8 @@ void add_options(CLI::App& render, Arguments& a) {
   render.add_option("--exposure", a.exposure, "stops, of the PNG alone")->check(number_above(-infinity));
   render.add_flag("--layers", a.layers, "the integrator's layers as channels of their own");
   render.add_flag("--aux", a.auxiliary, "albedo, N and Z as channels of their own");
+  render.add_flag("--pooled-error", a.pooled_error,
+                  "stderrPooled as channels of their own: errors pooled over 5x5 pixels");
   render.add_flag("--quiet", a.quiet, "no progress, no summary");
   render.add_flag("--stats", a.statistics, "more about speed and memory");
   render.add_flag("--json", a.json, "the summary as JSON on standard output");

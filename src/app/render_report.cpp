@@ -26,6 +26,18 @@ double peak_mebibytes() {
 
 }  // namespace
 
+std::string tails_text(const FilmImage& image) {
+  std::string text;
+  if (image.has_heavy_tails())
+    text = fmt::format(
+        "heavy tails (index {:.2f}): error bars are too narrow and means rather too low; take more samples",
+        image.tail_index);
+  if (const std::size_t fireflies = image.firefly_count(); fireflies > 0)
+    text += fmt::format("{}{} of {} pixels hang on one replicate (fireflies, channel firefly.Y)",
+                        text.empty() ? "" : "; ", fireflies, image.pixels.size());
+  return text;
+}
+
 Provenance provenance(const RenderJob& job, const RenderResult& result, const Scene& scene) {
   const RenderOptions& options = job.options;
   const Filter filter{options.film.filter, options.film.filter_radius};
@@ -63,6 +75,7 @@ std::string summary_line(const FilmImage& image, const Scene& scene) {
   } else {
     text += fmt::format("; mean {:.6g}; error unknown: it takes two replicates at least", error.mean);
   }
+  if (const std::string tails = tails_text(image); !tails.empty()) text += "; " + tails;
   text += fmt::format("; uses {}",
                       features.empty() ? "nothing special" : fmt::format("{}", fmt::join(features, ", ")));
   if (!image.provenance.bias_notes.empty())
@@ -98,8 +111,8 @@ std::string rejected_text(const Film& film, const RenderJob& job) {
   return text;
 }
 
-std::string summary_json(const FilmImage& image, const Scene& scene, const std::string& exr,
-                         const std::string& png) {
+std::string summary_json(const FilmImage& image, const Scene& scene, const TargetError& target,
+                         const std::string& exr, const std::string& png) {
   const ImageError& error = image.error;
   const Provenance& p = image.provenance;
   const nlohmann::ordered_json json{
@@ -122,6 +135,10 @@ std::string summary_json(const FilmImage& image, const Scene& scene, const std::
       {"meanHalfWidth95", number_or_null(error.half_width())},
       {"rmsStandardError", number_or_null(error.rms_standard_error)},
       {"relativeError", number_or_null(error.relative())},
+      {"targetReached", target.looks > 0 ? nlohmann::json(target.reached) : nlohmann::json()},
+      {"relativeErrorLimit95", number_or_null(target.limit)},
+      {"tailIndex", image.tail_index},
+      {"fireflies", image.firefly_count()},
       {"efficiency", number_or_null(efficiency(error, p.render_seconds))},
       {"features", scene.features()},
       {"biasNotes", p.bias_notes},

@@ -34,8 +34,11 @@ std::string statistics_text(const FilmImage& image, const Scene& scene);
 // How to replay the samples that were rejected; empty where there were none.
 std::string rejected_text(const Film& film, const RenderJob& job);
 
+// What a user should know of rare bright samples; empty where there is nothing to say.
+std::string tails_text(const FilmImage& image);
+
 // One JSON object with what summary_line() and the provenance tell.
-std::string summary_json(const FilmImage& image, const Scene& scene, const std::string& exr,
-                         const std::string& png);
+std::string summary_json(const FilmImage& image, const Scene& scene, const TargetError& target,
+                         const std::string& exr, const std::string& png);
 
 }  // namespace umbral

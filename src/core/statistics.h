@@ -1,4 +1,4 @@
-// Running moments, their exact combination, and the tails of Student's t.
+// Running moments, their exact combination, the tails of Student's t, and limits of sums.
 #pragma once
 
 #include <cstdint>
@@ -37,5 +37,18 @@ double student_two_sided_p(double t, double dof);
 
 // P(F ≥ f) under Fisher's distribution of the ratio of two variances with so many degrees of freedom.
 double fisher_upper_p(double f, double dof_above, double dof_below);
+
+// Unbiased estimate of the variance of the sample variance of n ≥ 4 numbers whatever their distribution, from their
+// sums of squared and of fourth powers of deviations from the mean, by k-statistics [Fisher 1930]:
+//   (2n k2² + (n − 1) k4)/(n (n + 1))
+// 2/(n + 1) of the squared sample variance where they are normal, all of it where one outlier makes them.
+double variance_of_variance(double n, double squares, double fourth_powers);
+
+// Upper confidence limit of the expectation of a sum of independent numbers ≥ 0, of which are known the sum, an
+// estimate of its variance and the largest step it goes in, by the gamma distribution whose mean is sum + largest and
+// whose variance is variance + largest² [Fay and Feuer 1997]: as if it were made of Poisson counts with weights, and
+// one more of the largest weight had been missed. It needs no normal distribution and errs to the high side; what is
+// too rare to have been seen at all it cannot know. 0 where the sum is. confidence in (0, 1), one-sided.
+double upper_limit_of_sum(double sum, double variance, double largest, double confidence);
 
 }  // namespace umbral

@@ -36,9 +36,39 @@ double ImageError::relative() const {
   return mean > 0 ? rms_standard_error / mean : std::numeric_limits<double>::infinity();
 }
 
+double ImageError::relative_limit(double confidence) const {
+  if (!(relative_variance > 0)) return relative();
+  return relative() * std::sqrt(upper_limit_of_sum(1, relative_variance, largest_step, confidence));
+}
+
 double ImageError::half_width(double confidence) const {
   if (degrees_of_freedom <= 0) return std::numeric_limits<double>::infinity();
   return student_quantile(confidence, degrees_of_freedom) * standard_error;
+}
+
+void PixelErrorSums::add(const PixelVariance& pixel, double samples_of_pixel) {
+  const double step = pixel.value > 0 ? pixel.variance / pixel.value : 0;
+  add({pixel.value, pixel.variance, step, samples_of_pixel, 1});
+}
+
+void PixelErrorSums::add(const PixelErrorSums& others) {
+  values += others.values;
+  variances += others.variances;
+  largest = std::max(largest, others.largest);
+  samples += others.samples;
+  pixels += others.pixels;
+}
+
+ImageError PixelErrorSums::image_error() const {
+  ImageError error;
+  error.samples = samples;
+  error.pixels = pixels;
+  if (pixels == 0) return error;
+  error.rms_standard_error = std::sqrt(values / static_cast<double>(pixels));
+  if (!(values > 0) || !std::isfinite(values)) return error;
+  error.relative_variance = std::max(0.0, variances) / (values * values);
+  error.largest_step = largest / values;
+  return error;
 }
 
 Film::Film(FilmLayout layout)
@@ -93,6 +123,42 @@ PixelEstimate Film::at(int x, int y) const {
   return estimate;
 }
 
+// Where there are too few replicates to tell, the variance of a pixel's variance is taken to be its square, as if one
+// outlier had made it.
+PixelVariance Film::variance(int x, int y) const {
+  const std::size_t pixel = layout_.index(x, y);
+  const int replicates = layout_.replicates;
+  const double n = static_cast<double>(samples_[pixel]), scale = 1 / sqr(n);
+  if (replicates < 2) return {std::numeric_limits<double>::infinity(), 0};
+  PixelVariance result;
+  for (int c = 0; c < 3; ++c) {
+    const double* const sums = &sums_[pixel * replicates * 3 + c];
+    double mean = 0, squares = 0, fourth_powers = 0;
+    for (int r = 0; r < replicates; ++r) mean += sums[3 * r] / replicates;
+    for (int r = 0; r < replicates; ++r) {
+      const double square = sqr(sums[3 * r] - mean);
+      squares += square;
+      fourth_powers += sqr(square);
+    }
+    const double value = squares / (replicates * (replicates - 1.0));
+    result.value += value * scale / 3;
+    const double variance = replicates < 4 ? sqr(value)
+                                           : variance_of_variance(replicates, squares, fourth_powers) /
+                                                 sqr(static_cast<double>(replicates));
+    result.variance += variance * sqr(scale) / 3;
+  }
+  return result;
+}
+
+std::vector<Vec3d> Film::replicate_means(int x, int y) const {
+  const std::size_t pixel = layout_.index(x, y);
+  std::vector<Vec3d> means(static_cast<std::size_t>(layout_.replicates), Vec3d(0));
+  if (samples_[pixel] == 0) return means;
+  for (std::size_t r = 0; r < means.size(); ++r)
+    means[r] = triple(&sums_[(pixel * means.size() + r) * 3]) / static_cast<double>(samples_[pixel]);
+  return means;
+}
+
 Vec3d Film::layer(std::size_t layer, int x, int y) const {
   const std::size_t pixel = layout_.index(x, y);
   if (samples_[pixel] == 0) return Vec3d(0);
@@ -112,9 +178,7 @@ AuxiliaryPixel Film::auxiliary(int x, int y) const {
 // Sums over the pixels of a row that have samples.
 struct Film::RowMoments {
   std::vector<double> replicate_means;  // one a replicate, over the channels too
-  double squared_errors = 0;            // over the channels too
-  double samples = 0;
-  std::size_t pixels = 0;
+  PixelErrorSums errors;
 };
 
 Film::RowMoments Film::row_moments(int y) const {
@@ -123,10 +187,7 @@ Film::RowMoments Film::row_moments(int y) const {
   for (int x = layout_.x0; x < layout_.x1; ++x) {
     const std::size_t pixel = layout_.index(x, y);
     if (samples_[pixel] == 0) continue;
-    const PixelEstimate estimate = at(x, y);
-    row.squared_errors += dot(estimate.standard_error, estimate.standard_error);
-    row.samples += estimate.samples;
-    ++row.pixels;
+    row.errors.add(variance(x, y), static_cast<double>(samples_[pixel]) * layout_.replicates);
     const double* sum = &sums_[pixel * layout_.replicates * 3];
     for (double& mean : row.replicate_means) {
       mean += (sum[0] + sum[1] + sum[2]) / static_cast<double>(samples_[pixel]);
@@ -139,23 +200,19 @@ Film::RowMoments Film::row_moments(int y) const {
 ImageError Film::image_error() const {
   std::vector<RowMoments> rows(layout_.crop_height());
   parallel_for(rows.size(), [&](std::size_t i) { rows[i] = row_moments(layout_.y0 + static_cast<int>(i)); });
-  ImageError error;
   std::vector<double> replicate_sums(layout_.replicates);
-  double squared_errors = 0;
+  PixelErrorSums errors;
   for (const RowMoments& row : rows) {
     for (int r = 0; r < layout_.replicates; ++r) replicate_sums[r] += row.replicate_means[r];
-    squared_errors += row.squared_errors;
-    error.samples += row.samples;
-    error.pixels += row.pixels;
+    errors.add(row.errors);
   }
+  ImageError error = errors.image_error();
   if (error.pixels == 0) return error;
-  const double values = 3 * static_cast<double>(error.pixels);
   Moments moments;
-  for (const double sum : replicate_sums) moments.add(sum / values);
+  for (const double sum : replicate_sums) moments.add(sum / (3 * static_cast<double>(error.pixels)));
   error.mean = moments.mean;
   error.standard_error = moments.standard_error();
   error.degrees_of_freedom = layout_.replicates - 1;
-  error.rms_standard_error = std::sqrt(squared_errors / values);
   return error;
 }
 

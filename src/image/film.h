@@ -80,13 +80,37 @@ struct ImageError {
   double rms_standard_error = std::numeric_limits<double>::infinity();
   double samples = 0;      // in total
   std::size_t pixels = 0;  // that have samples
+  // How well the RMS standard error itself is known: the relative variance of its square, and the share that one
+  // more step of the largest kind would add to that (see upper_limit_of_sum()).
+  double relative_variance = 0, largest_step = 0;
 
   // RMS standard error of the pixels in units of the mean; infinite where that is not positive.
   double relative() const;
+  // Upper confidence limit of relative(), one-sided: the error of the error. The mean counts as known, which it
+  // is better than a pixel by the square root of their number.
+  double relative_limit(double confidence) const;
   // Of the confidence interval of `mean`, by Student's t; infinite where nothing is known.
   double half_width(double confidence = 0.95) const;
   // Mean variance of the pixels' means: efficiency is 1/(pixel_variance × time).
   double pixel_variance() const { return rms_standard_error * rms_standard_error; }
+};
+
+// Variance of a pixel's mean, averaged over the channels.
+struct PixelVariance {
+  double value = 0;
+  double variance = 0;  // of that estimate; at most, where channels go together
+};
+
+// What the errors of the pixels add up to, in any order.
+struct PixelErrorSums {
+  double values = 0, variances = 0, largest = 0;  // of pixel variances; of these; variance/value of the worst
+  double samples = 0;
+  std::size_t pixels = 0;
+
+  void add(const PixelVariance& pixel, double samples_of_pixel);
+  void add(const PixelErrorSums& others);
+  // All that pixels tell of an image's error: neither its mean nor the error of that.
+  ImageError image_error() const;
 };
 
 // Per pixel and channel, R sums in double [R running estimates with independent scrambles: their spread is an
@@ -108,6 +132,8 @@ class Film {
   // The following must not run beside add().
   PixelEstimate at(int x, int y) const;
   Vec3d layer(std::size_t layer, int x, int y) const;  // mean
+  // The means of the replicates; zeros where there are no samples.
+  std::vector<Vec3d> replicate_means(int x, int y) const;
   AuxiliaryPixel auxiliary(int x, int y) const;
   ImageError image_error() const;
 
@@ -119,6 +145,7 @@ class Film {
   struct AuxiliaryAccumulator {
     double albedo[3], normal[3], depth, hits;
   };
+  PixelVariance variance(int x, int y) const;
   struct RowMoments;
   RowMoments row_moments(int y) const;
 

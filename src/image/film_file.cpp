@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "image/pooled_error.h"
 
 namespace umbral {
 namespace {
@@ -53,6 +54,12 @@ void add_all_channels(ExrImage& exr, const FilmImage& image) {
   add_channels(exr, "", {"R", "G", "B"}, n, [&](std::size_t i) { return pixels[i].mean; });
   add_channels(exr, "stderr", rgb_suffixes, n, [&](std::size_t i) { return pixels[i].standard_error; });
   add_channel(exr, "samples.Y", n, [&](std::size_t i) { return pixels[i].samples; });
+  if (!image.fireflies.empty())
+    add_channel(exr, "firefly.Y", n, [&](std::size_t i) { return image.fireflies[i]; });
+  if (image.with_pooled_error) {
+    const std::vector<Vec3d> pooled = pooled_errors(image);
+    add_channels(exr, "stderrPooled", rgb_suffixes, n, [&](std::size_t i) { return pooled[i]; });
+  }
   for (std::size_t l = 0; l < image.layers.size(); ++l)
     add_channels(exr, image.layout.layers[l], rgb_suffixes, n,
                  [&](std::size_t i) { return image.layers[l][i]; });
@@ -76,6 +83,8 @@ void add_attributes(ExrImage& exr, const FilmImage& image) {
   set("renderTimeSeconds", provenance.render_seconds);
   set("samplesPerPixel", image.samples_per_pixel());
   set("samplesRejected", image.samples_rejected);
+  set("tailIndex", image.tail_index);
+  set("fireflies", static_cast<int>(image.firefly_count()));
   set("imageMean", image.error.mean);
   set("imageStandardError", image.error.standard_error);
   set("imageDegreesOfFreedom", image.error.degrees_of_freedom);
@@ -124,7 +133,7 @@ void read_layout(const ExrImage& exr, const Reader& reader, FilmLayout& layout) 
   layout.auxiliary = exr.find("Z") != nullptr;
 }
 
-void read_pixels(const Reader& reader, FilmImage& image) {
+void read_pixels(const ExrImage& exr, const Reader& reader, FilmImage& image) {
   std::vector<PixelEstimate>& pixels = image.pixels;
   const std::vector<float>& samples = reader.channel("samples.Y");
   pixels.resize(samples.size());
@@ -132,6 +141,9 @@ void read_pixels(const Reader& reader, FilmImage& image) {
   reader.channels("", {"R", "G", "B"}, [&](std::size_t i, int c, float v) { pixels[i].mean[c] = v; });
   reader.channels("stderr", rgb_suffixes,
                   [&](std::size_t i, int c, float v) { pixels[i].standard_error[c] = v; });
+  if (const ExrChannel* const fireflies = exr.find("firefly.Y"))
+    for (const float flag : fireflies->pixels) image.fireflies.push_back(flag > 0);
+  image.with_pooled_error = exr.find("stderrPooled.R") != nullptr;
   for (const std::string& layer : image.layout.layers) {
     std::vector<Vec3>& means = image.layers.emplace_back(pixels.size());
     reader.channels(layer, rgb_suffixes, [&](std::size_t i, int c, float v) { means[i][c] = v; });
@@ -176,12 +188,13 @@ FilmImage film_image(const ExrImage& exr, const std::string& file) {
   FilmImage image;
   read_provenance(exr, reader, image.provenance);
   read_layout(exr, reader, image.layout);
-  read_pixels(reader, image);
+  read_pixels(exr, reader, image);
   image.error = error_of_pixels(image.pixels);
   image.error.mean = reader.attribute<double>("imageMean");
   image.error.standard_error = reader.attribute<double>("imageStandardError");
   image.error.degrees_of_freedom = reader.attribute<double>("imageDegreesOfFreedom");
   image.samples_rejected = reader.attribute<double>("samplesRejected");
+  image.tail_index = reader.attribute<double>("tailIndex");
   return image;
 }
 

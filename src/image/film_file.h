@@ -8,8 +8,8 @@
 
 namespace umbral {
 
-// Channels, all 32-bit float: `R G B` (mean), `stderr.R/G/B`, `samples.Y`, `<layer>.R/G/B`, and with
-// auxiliary features `albedo.R/G/B`, `N.X/Y/Z`, `Z`. Attributes: the provenance, error and rejected samples
+// Channels, all 32-bit float: `R G B` (mean), `stderr.R/G/B`, `samples.Y`, `firefly.Y` (1 or 0, given four
+// replicates), on request `stderrPooled.R/G/B`, `<layer>.R/G/B`, and with auxiliary features `albedo.R/G/B`, `N.X/Y/Z`, `Z`. Attributes: the provenance, error and rejected samples
 // under the prefix `umbral:`, and pbrt's `renderTimeSeconds` and `samplesPerPixel`. Seeds are text: they have
 // 64 bits.
 ExrImage to_exr(const FilmImage& image);

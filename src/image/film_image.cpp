@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "image/replicate_tails.h"
+
 namespace umbral {
 namespace {
 
@@ -89,20 +91,24 @@ double FilmImage::samples_per_pixel() const {
 }
 
 ImageError error_of_pixels(const std::vector<PixelEstimate>& pixels) {
-  ImageError error;
-  double means = 0, squared_errors = 0;
+  PixelErrorSums errors;
+  double means = 0;
   for (const PixelEstimate& pixel : pixels) {
     if (pixel.samples == 0) continue;
     means += pixel.mean.r + pixel.mean.g + pixel.mean.b;
-    squared_errors += dot(pixel.standard_error, pixel.standard_error);
-    error.samples += pixel.samples;
-    ++error.pixels;
+    const double variance = dot(pixel.standard_error, pixel.standard_error) / 3;
+    errors.add({variance, sqr(variance)}, pixel.samples);
   }
-  if (error.pixels == 0) return error;
-  error.mean = means / (3 * static_cast<double>(error.pixels));
-  error.rms_standard_error = std::sqrt(squared_errors / (3 * static_cast<double>(error.pixels)));
+  ImageError error = errors.image_error();
+  if (error.pixels > 0) error.mean = means / (3 * static_cast<double>(error.pixels));
   return error;
 }
+
+std::size_t FilmImage::firefly_count() const {
+  return static_cast<std::size_t>(std::count(fireflies.begin(), fireflies.end(), true));
+}
+
+bool FilmImage::has_heavy_tails() const { return tail_index > heavy_tail_index; }
 
 std::vector<Spectrum> FilmImage::colours() const {
   std::vector<Spectrum> result;
@@ -111,11 +117,37 @@ std::vector<Spectrum> FilmImage::colours() const {
   return result;
 }
 
+namespace {
+
+void find_tails(const Film& film, FilmImage& image) {
+  const FilmLayout& layout = film.layout();
+  if (layout.replicates < replicates_for_tails) return;
+  const FireflyTest is_firefly(layout.replicates);
+  TailSums tails;
+  for (int y = layout.y0; y < layout.y1; ++y)
+    for (int x = layout.x0; x < layout.x1; ++x) {
+      const std::vector<Vec3d> means = film.replicate_means(x, y);
+      image.fireflies.push_back(is_firefly(means));
+      tails.add(means);
+    }
+  image.tail_index = tails.index();
+}
+
+void combine_tails(const FilmImage& a, const FilmImage& b, FilmImage& result) {
+  result.tail_index = std::max(a.tail_index, b.tail_index);
+  result.fireflies = a.fireflies.empty() ? b.fireflies : a.fireflies;
+  for (std::size_t i = 0; i < std::min(result.fireflies.size(), b.fireflies.size()); ++i)
+    result.fireflies[i] = result.fireflies[i] || b.fireflies[i];
+}
+
+}  // namespace
+
 FilmImage film_image(const Film& film, Provenance provenance) {
   const FilmLayout& layout = film.layout();
   FilmImage image;
   image.layout = layout;
   image.error = film.image_error();
+  find_tails(film, image);
   image.samples_rejected = static_cast<double>(film.rejected());
   image.provenance = std::move(provenance);
   image.layers.resize(layout.layers.size());
@@ -145,6 +177,8 @@ FilmImage combined(const FilmImage& a, const FilmImage& b) {
     if (a.layout.auxiliary) result.auxiliary.push_back(combined(a.auxiliary[i], b.auxiliary[i], weight));
   }
   result.error = combined(a.error, b.error, result.pixels);
+  combine_tails(a, b, result);
+  result.with_pooled_error = a.with_pooled_error || b.with_pooled_error;
   result.samples_rejected = a.samples_rejected + b.samples_rejected;
   result.provenance = combined(a.provenance, b.provenance);
   return result;

@@ -32,11 +32,16 @@ struct FilmImage {
   std::vector<PixelEstimate> pixels;
   std::vector<std::vector<Vec3>> layers;  // one a name in the layout: means
   std::vector<AuxiliaryPixel> auxiliary;  // empty unless the layout asks for it
+  std::vector<bool> fireflies;            // pixels that hang on one replicate (FireflyTest); empty if unknown
+  double tail_index = 0;                  // see TailSums; 0 if there are too few replicates to tell
   ImageError error;                       // of the whole image
+  bool with_pooled_error = false;         // whether a file of it also holds pooled_errors()
   double samples_rejected = 0;
   Provenance provenance;
 
   const PixelEstimate& at(int x, int y) const { return pixels[layout.index(x, y)]; }
+  std::size_t firefly_count() const;
+  bool has_heavy_tails() const;
   // Mean over the pixels, of all replicates together.
   double samples_per_pixel() const;
   // The means alone, for write_png().
@@ -63,7 +68,8 @@ class CombineError : public std::runtime_error {
 // associates, because n²SE² adds up. (Merging the replicates' moments as in combined(Moments, Moments) would
 // have one degree of freedom more, but is right only where all replicates have equally many samples.)
 //
-// The error of the whole image is combined in the same way, weighted by all samples; its degrees of freedom
+// A pixel is a firefly if it is in any part, and tails are as heavy as those of the worst: both can only have become
+// better. The error of the whole image is combined in the same way, weighted by all samples; its degrees of freedom
 // are those of [Satterthwaite 1946] and [Welch 1947]. Throws CombineError unless size, crop window, layers,
 // auxiliary, scene hash, integrator, filter and bias notes agree and no seed is in both.
 FilmImage combined(const FilmImage& a, const FilmImage& b);

@@ -52,17 +52,17 @@ class Render {
         schedule_(stop_rule(options)) {}
 
   RenderResult run() {
-    double error = infinity;
+    ImageError error;
     while (!cancelled()) {
       const std::uint64_t first = schedule_.done();
       const std::uint64_t count = schedule_.next(seconds_since(start_), error);
       if (count == 0) break;
-      pass(first, count, error);
-      error = film_->image_error().relative();
-      report(1, count, error);
+      pass(first, count, error.relative());
+      error = film_->image_error();
+      report(1, count, error.relative());
     }
     const std::string reason = cancelled() ? "interrupted" : schedule_.reason();
-    return {std::move(film_), seconds_since(start_), reason};
+    return {std::move(film_), seconds_since(start_), reason, schedule_.target()};
   }
 
  private:

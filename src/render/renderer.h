@@ -20,7 +20,7 @@ struct RenderOptions {
   SamplingSettings sampling;  // spp is how many at most, rounded up to a whole number a replicate
   bool spp_bounds = true;     // false: spp does not bound the render, the rules below do
   double seconds = std::numeric_limits<double>::infinity();
-  double relative_error = 0;  // 0 asks for none
+  double relative_error = 0;  // target, see Schedule; 0 asks for none, any other needs two replicates
   std::optional<Crop> crop;
   bool layers = false;     // keep the integrator's layers apart
   bool auxiliary = false;  // albedo, normal and depth of the first hit
@@ -43,6 +43,7 @@ struct RenderResult {
   std::unique_ptr<Film> film;
   double seconds;           // wall clock, of sampling
   std::string stop_reason;  // in words
+  TargetError target;       // without looks unless a target error was asked for
 };
 
 // How many replicates a render has: never more than samples, where these are bounded.

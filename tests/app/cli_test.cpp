@@ -127,9 +127,13 @@ TEST_F(Cli, MergesRendersOfDifferentSeedsOnly) {
 }
 
 TEST_F(Cli, StopRulesSayWhichOneFired) {
-  EXPECT_TRUE(has(run("render room.toml --target-error 20%"), "(target error 20 %)"));
+  const Outcome reached = run("render room.toml --target-error 20%");
+  EXPECT_TRUE(has(reached, "(target error 20 % reached: at most ")) << reached.text;
+  EXPECT_TRUE(has(run("info room.exr"), "stopped by target error 20 % reached: at most "));
+  EXPECT_TRUE(has(run("render room.toml --target-error 0.2"), "(target error 20 % reached: at most "));
   const Outcome missed = run("render room.toml --target-error 0.001% --spp 16");
   EXPECT_EQ(missed.exit_code, 4) << missed.text;
+  EXPECT_TRUE(has(missed, "(samples; target error 0.001 % not reached: at most ")) << missed.text;
   EXPECT_TRUE(has(run("render room.toml --time 0.2"), "(time 0.2 s)"));
 }
 
@@ -162,6 +166,7 @@ TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
   refused("render room.toml --pixel 16,0", "is outside the image");
   refused("render room.toml --sample 3", "--sample needs --pixel");
   refused("render room.toml --target-error nought", "--target-error wants a share above 0");
+  refused("render room.toml --target-error 1% --replicates 1", "--target-error needs an error bar");
   refused("render room.toml --env none.hdr", "none.hdr");
   refused("render none.toml", "none.toml: error: ");
   refused("info room.toml", "room.toml: error: ");

@@ -1,7 +1,9 @@
 // Moments and Student's t against published values and plain sums.
 #include "core/statistics.h"
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -90,6 +92,61 @@ TEST(Fisher, TailsAreThePublishedOnes) {
   for (const double t : {0.5, 1.0, 3.0})
     EXPECT_NEAR(fisher_upper_p(t * t, 1, 7), student_two_sided_p(t, 7), 1e-12);
   EXPECT_DOUBLE_EQ(fisher_upper_p(0, 3, 3), 1);
+}
+
+// Of samples of eight numbers, normal and very much not so: the estimate is right on average.
+TEST(VarianceOfVariance, IsUnbiasedWhateverTheDistribution) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  std::exponential_distribution<double> exponential;
+  const std::function<double()> draws[] = {[&] { return normal(random); },
+                                           [&] { return exponential(random); },
+                                           [&] { return random() % 20 == 0 ? 1.0 : 0.0; }};
+  for (const auto& draw : draws) {
+    Moments estimates, variances;
+    for (int run = 0; run < 40'000; ++run) {
+      std::array<double, 8> numbers;
+      Moments moments;
+      for (double& x : numbers) moments.add(x = draw());
+      double fourth_powers = 0;
+      for (const double x : numbers) fourth_powers += std::pow(x - moments.mean, 4);
+      variances.add(moments.variance());
+      estimates.add(variance_of_variance(8, moments.m2, fourth_powers));
+    }
+    EXPECT_NEAR(estimates.mean / variances.variance(), 1, 0.1);
+  }
+  // One outlier of 8: mean 1/8, squares 7/8, fourth powers 7 (1/8)⁴ + (7/8)⁴.
+  EXPECT_NEAR(variance_of_variance(8, 7.0 / 8, (7 + 2401) / 4096.0), 1.0 / 64, 1e-15);
+}
+
+// With weights of 1 it is the exact upper limit of a Poisson count, as in any book's tables.
+TEST(UpperLimit, OfCountsIsThePublishedOne) {
+  EXPECT_NEAR(upper_limit_of_sum(1, 1, 1, 0.975), 5.572, 5e-4);
+  EXPECT_NEAR(upper_limit_of_sum(3, 3, 1, 0.975), 8.767, 5e-4);
+  EXPECT_NEAR(upper_limit_of_sum(10, 10, 1, 0.95), 16.962, 5e-4);
+  EXPECT_NEAR(upper_limit_of_sum(20, 40, 2, 0.95), 2 * 16.962, 1e-3);
+  EXPECT_EQ(upper_limit_of_sum(0, 0, 0, 0.95), 0);
+}
+
+// Sums of 200 exponential numbers with unequal means: the limit is above the truth in 95 % of cases or somewhat more.
+TEST(UpperLimit, OfSumsOfUnequalNumbersHolds) {
+  std::mt19937_64 random(3);
+  std::exponential_distribution<double> exponential;
+  int held = 0;
+  constexpr int runs = 4000;
+  for (int run = 0; run < runs; ++run) {
+    double sum = 0, squares = 0, largest = 0, truth = 0;
+    for (int i = 1; i <= 200; ++i) {
+      const double mean = 1.0 / i, x = mean * exponential(random);
+      truth += mean;
+      sum += x;
+      squares += x * x;
+      largest = std::max(largest, x);
+    }
+    held += upper_limit_of_sum(sum, squares, largest, 0.95) >= truth;
+  }
+  EXPECT_GE(held, 0.94 * runs);
+  EXPECT_LE(held, 0.995 * runs);
 }
 
 }  // namespace

@@ -81,25 +81,47 @@ TEST(FilmFile, ChannelsAndAttributesHaveTheNamesThatUsersKnow) {
   const ExrImage exr = to_exr(example());
   std::vector<std::string> names;
   for (const ExrChannel& channel : exr.channels) names.push_back(channel.name);
-  EXPECT_THAT(names, testing::UnorderedElementsAre("R", "G", "B", "stderr.R", "stderr.G", "stderr.B",
-                                                   "samples.Y", "direct.R", "direct.G", "direct.B",
-                                                   "indirect.R", "indirect.G", "indirect.B", "albedo.R",
-                                                   "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z", "Z"));
+  EXPECT_THAT(names, testing::UnorderedElementsAre(
+                         "R", "G", "B", "stderr.R", "stderr.G", "stderr.B", "samples.Y", "firefly.Y",
+                         "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G", "indirect.B",
+                         "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z", "Z"));
   EXPECT_EQ(*exr.attribute<int>("samplesPerPixel"), 128);
   EXPECT_EQ(*exr.attribute<float>("renderTimeSeconds"), 12.345678901234f);
   EXPECT_EQ(*exr.attribute<std::string>("umbral:seeds"), "18446744073709551615 3");
   EXPECT_EQ(*exr.attribute<std::string>("umbral:biasNotes"), "paths end after 8 bounces\nanother");
 }
 
-TEST(FilmFile, WithoutLayersThereAreSevenChannels) {
+TEST(FilmFile, WithoutLayersThereAreEightChannels) {
   const ExrImage exr = to_exr(film_image(Film({.width = 2, .height = 2}), {}));
-  EXPECT_EQ(exr.channels.size(), 7u);
+  EXPECT_EQ(exr.channels.size(), 8u);
   const FilmImage back = film_image(exr, "a.exr");
   EXPECT_TRUE(back.layers.empty());
   EXPECT_TRUE(back.auxiliary.empty());
   EXPECT_TRUE(back.provenance.bias_notes.empty());
   EXPECT_EQ(back.pixels[0].samples, 0);
   EXPECT_TRUE(std::isinf(back.pixels[0].standard_error.r));
+}
+
+TEST(FilmFile, FirefliesTailsAndPooledErrorsComeBack) {
+  FilmImage image = example();
+  image.fireflies[7] = true;
+  image.tail_index = 0.75;
+  image.with_pooled_error = true;
+  const ExrImage exr = to_exr(image);
+  EXPECT_EQ(exr.find("firefly.Y")->pixels[7], 1);
+  EXPECT_EQ(*exr.attribute<int>("umbral:fireflies"), 1);
+  EXPECT_GT(exr.find("stderrPooled.G")->pixels[7], 0);
+  const FilmImage back = film_image(exr, "a.exr");
+  EXPECT_EQ(back.fireflies, image.fireflies);
+  EXPECT_EQ(back.tail_index, 0.75);
+  EXPECT_TRUE(back.has_heavy_tails());
+  EXPECT_TRUE(back.with_pooled_error);
+  FilmImage other = example();
+  other.provenance.seeds = {4};
+  other.fireflies[2] = true;
+  const FilmImage both = combined(image, other);
+  EXPECT_EQ(both.firefly_count(), 2u);
+  EXPECT_EQ(both.tail_index, 0.75);
 }
 
 TEST(FilmFile, CombiningFilesEqualsCombiningFilmsUpToFloat) {

@@ -14,18 +14,24 @@ void report(const Judgement& judgement) {
                                 fmt::format("{:.3g}", 100 * judgement.worst_mde(StatisticKind::tile)));
 }
 
-// `attempt(first_seed, effort, alpha)` renders and judges.
-testing::AssertionResult decided(
-    const GateSettings& settings,
-    const std::function<Judgement(std::uint64_t, int, const GateSettings&)>& attempt) {
-  Judgement judgement = attempt(1000, 1, settings);
-  report(judgement);
-  if (judgement.outcome != Outcome::agrees) {
-    GateSettings repeated = settings;
-    repeated.alpha *= repeated_suite_alpha / suite_alpha;
-    judgement = attempt(2000, 4, repeated);
-    report(judgement);
-  }
+// Renders from this seed on with so much effort, and judges.
+using Attempt = std::function<Judgement(std::uint64_t first_seed, int effort, const GateSettings&)>;
+
+// `seen` is told of each attempt.
+Judgement settled(const GateSettings& settings, std::uint64_t first_seed, const Attempt& attempt,
+                  const std::function<void(const Judgement&)>& seen) {
+  Judgement judgement = attempt(first_seed, 1, settings);
+  seen(judgement);
+  if (judgement.outcome == Outcome::agrees) return judgement;
+  GateSettings repeated = settings;
+  repeated.alpha *= repeated_suite_alpha / suite_alpha;
+  judgement = attempt(first_seed + 1000, 4, repeated);
+  seen(judgement);
+  return judgement;
+}
+
+testing::AssertionResult decided(const GateSettings& settings, const Attempt& attempt) {
+  const Judgement judgement = settled(settings, 1000, attempt, report);
   if (judgement.outcome == Outcome::agrees) return testing::AssertionSuccess();
   return testing::AssertionFailure() << judgement.text();
 }
@@ -56,6 +62,14 @@ Judgement judged(const std::vector<PixelImage>& a, const std::vector<PixelImage>
                  const GateSettings& settings) {
   return judged(replicates_of(a, settings.tiles), replicates_of(b, settings.tiles),
                 static_cast<const EqualitySettings&>(settings));
+}
+
+Judgement settled_against(const PixelImage& truth, const RenderReplicate& render,
+                          const GateSettings& settings, std::uint64_t first_seed) {
+  const Attempt attempt = [&](std::uint64_t seed, int effort, const GateSettings& with) {
+    return judged(rendered(render, seed, effort), truth, with);
+  };
+  return settled(settings, first_seed, attempt, [](const Judgement&) {});
 }
 
 testing::AssertionResult agrees_with(const PixelImage& truth, const RenderReplicate& render,

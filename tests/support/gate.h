@@ -48,6 +48,10 @@ Judgement judged(const std::vector<PixelImage>& a, const std::vector<PixelImage>
 // Renders one replicate; `effort` multiplies its samples.
 using RenderReplicate = std::function<PixelImage(std::uint64_t seed, int effort)>;
 
+// The gate's procedure without a word: gate_replicates from `first_seed` on, and the one repetition.
+Judgement settled_against(const PixelImage& truth, const RenderReplicate& render,
+                          const GateSettings& settings, std::uint64_t first_seed);
+
 // gate_replicates with fixed seeds; where they do not agree, be it for want of power, as many fresh ones of four
 // times the samples decide at repeated_suite_alpha. What was measured is printed and recorded with the test.
 testing::AssertionResult agrees_with(const PixelImage& truth, const RenderReplicate& render,
