@@ -51,7 +51,8 @@ Replicates replicates_of(const Film& film, const std::vector<Region>& regions) {
   for (int y = 0; y < layout.height; ++y)
     for (int x = 0; x < layout.width; ++x) pixels.push_back(film.replicate_means(x, y));
   for (std::size_t r = 0; r < replicates; ++r)
-    result.means.push_back(region_means(regions, [&](int x, int y) { return pixels[layout.index(x, y)][r]; }));
+    result.means.push_back(
+        region_means(regions, [&](int x, int y) { return pixels[layout.index(x, y)][r]; }));
   return result;
 }
 
@@ -67,7 +68,8 @@ EqualitySettings settings(double alpha) {
 
 class Reference : public testing::TestWithParam<std::string> {
  protected:
-  Judgement compared(const Scene& scene, Integrator& integrator, RenderOptions options, int spp, double alpha) {
+  Judgement compared(const Scene& scene, Integrator& integrator, RenderOptions options, int spp,
+                     double alpha) {
     const FilmImage reference = read_film(file());
     options.film.width = reference.layout.width;
     options.film.height = reference.layout.height;
