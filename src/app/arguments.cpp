@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "core/error.h"
 
@@ -33,6 +37,25 @@ void apply_size(const std::string& text, FilmSettings& film) {
     refuse("--size wants WIDTHxHEIGHT in pixels, 1 … 65536, not '" + text + "'");
   film.width = width;
   film.height = height;
+}
+
+CLI::Validator number_above(double low) {
+  return {[low](std::string& text) {
+            char* end = nullptr;
+            const double x = std::strtod(text.c_str(), &end);
+            if (end != text.c_str() && *end == 0 && std::isfinite(x) && x > low) return std::string();
+            return fmt::format("wants a number{}, not '{}'",
+                               std::isfinite(low) ? fmt::format(" above {}", low) : "", text);
+          },
+          ""};
+}
+
+CLI::Validator whole_number() {
+  return {[](std::string& text) {
+            const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+            return whole ? std::string() : fmt::format("wants a whole number, 0 or above, not '{}'", text);
+          },
+          ""};
 }
 
 }  // namespace umbral

@@ -5,6 +5,10 @@
 
 #include "scene/settings.h"
 
+namespace CLI {
+class Validator;
+}
+
 namespace umbral {
 
 /// Refuses what the command line asks for: throws SceneError without a place.
@@ -15,5 +19,11 @@ double parsed_share(const std::string& text, const std::string& option);
 
 /// Width and height out of "WIDTHxHEIGHT". Throws SceneError.
 void apply_size(const std::string& text, FilmSettings& film);
+
+/// A finite number above `low`. CLI11's own checks accept NaN, and print a limit of 300 digits.
+CLI::Validator number_above(double low);
+
+/// CLI11 alone would read -1 as 2⁶⁴ − 1.
+CLI::Validator whole_number();
 
 }  // namespace umbral

@@ -138,23 +138,24 @@ void add_options(CLI::App& compare, Arguments& a) {
   compare.add_option("--spp", inputs.spp, "samples per pixel of each of these renders")
       ->check(CLI::Range(1, 1 << 30));
   compare.add_option("--size", inputs.size, "image size of these renders, WIDTHxHEIGHT");
-  compare.add_option("--seed", inputs.seed, "another seed gives independent renders");
+  compare.add_option("--seed", inputs.seed, "another seed gives independent renders")->check(whole_number());
   compare
       .add_option("--alpha", a.equality.alpha, "chance that equal images are called different; default 0.001")
       ->check(CLI::Range(1e-12, 0.5));
   compare
       .add_option("--image-mde", a.equality.image_mde,
                   "relative difference of the image's mean that must not go unseen; default 0.005")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above(0));
   compare
       .add_option("--tile-mde", a.equality.tile_mde,
                   "that of a tile, relative to its mean or the image's; default 0.03")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above(0));
   compare.add_option("--grid", a.grid, "regions to tell the change of; default 4x4, none 0x0");
   compare.add_option("--region", a.regions, "such a region, instead: NAME=x0,y0,x1,y1; may be repeated")
       ->take_all()
       ->allow_extra_args(false);
-  compare.add_option("--exposure", a.exposure, "stops, of what FLIP and the page show");
+  compare.add_option("--exposure", a.exposure, "stops, of what FLIP and the page show")
+      ->check(number_above(-infinity));
   compare.add_option("-o,--output", a.page, "an HTML page to write, which holds all it shows");
   compare.add_option("--json", a.json, "a file to write the numbers to");
   compare.add_option("--threads", a.threads, "default: all")->check(CLI::Range(1, 4096));

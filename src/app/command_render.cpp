@@ -166,27 +166,6 @@ int command(const Arguments& arguments) {
   return exit_code_of(result, job.options);
 }
 
-// A finite number above `low`. CLI11's own checks accept NaN, and print a limit of 300 digits.
-CLI::Validator number_above(double low) {
-  return {[low](std::string& text) {
-            char* end = nullptr;
-            const double x = std::strtod(text.c_str(), &end);
-            if (end != text.c_str() && *end == 0 && std::isfinite(x) && x > low) return std::string();
-            return fmt::format("wants a number{}, not '{}'",
-                               std::isfinite(low) ? fmt::format(" above {}", low) : "", text);
-          },
-          ""};
-}
-
-// CLI11 alone would read -1 as 2⁶⁴ − 1.
-CLI::Validator whole_number() {
-  return {[](std::string& text) {
-            const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-            return whole ? std::string() : fmt::format("wants a whole number, 0 or above, not '{}'", text);
-          },
-          ""};
-}
-
 void add_options(CLI::App& render, Arguments& a) {
   render.add_option("scene", a.scene, "a .toml scene, or an .obj or .ply model")->required();
   render.add_option("-o,--output", a.output,

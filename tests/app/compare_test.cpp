@@ -174,6 +174,7 @@ TEST_F(Compare, BadArgumentsAreRefused) {
   expect("a.exr b.exr --region x=0,0,64,1", 2, "reaches out of the image of 32x32 pixels");
   expect("a.exr b.exr --region 0,0,1,1", 2, "--region wants NAME=x0,y0,x1,y1");
   expect("a.exr b.exr --grid 3", 2, "--grid wants COLUMNSxROWS");
+  expect("a.exr b.exr --image-mde nan", 2, "wants a number above 0");
   expect("a.exr b.exr --exact c", 2, "--exact");
   expect("a.exr b.exr --json none/out.json", 3, "there is no directory");
 }

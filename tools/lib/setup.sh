@@ -10,7 +10,7 @@ umbral_root=$(dirname "$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")"
 # What Debian calls the libraries that the build needs; missing_packages adds the programs.
 umbral_library_packages=(libembree-dev libopenexr-dev libopenimageio-dev libglm-dev libtbb-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev libboost-dev nlohmann-json3-dev)
-umbral_test_packages=(libgtest-dev libgmock-dev)
+umbral_test_packages=(libgtest-dev libgmock-dev chromium)
 umbral_oldest_cmake=3.22
 
 say() { printf 'umbral: %s\n' "$*" >&2; }
@@ -50,7 +50,7 @@ as_root() {
 apt_failed() {
   local log=$1 absent
   absent=$(grep -E '^E: (Unable to locate package|Package .* has no installation candidate)' "$log" |
-    grep -oE '[a-z0-9.+-]+-dev|g\+\+|cmake|ninja-build' | sort -u | tr '\n' ' ' || true)
+    grep -oE '[a-z0-9.+-]+-dev|g\+\+|cmake|ninja-build|chromium' | sort -u | tr '\n' ' ' || true)
   local unreachable='Could not (resolve|connect)|Temporary failure resolving|Network is unreachable'
   unreachable+='|Connection (timed out|refused)|Unable to connect'
   if grep -qE "$unreachable" "$log"; then

@@ -121,7 +121,8 @@ const comparison = (() => {
       context.lineWidth = 3 * pixels;
       context.strokeStyle = 'rgba(0, 0, 0, 0.75)';
       context.fillStyle = '#ffffff';
-      for (const [line, offset] of [[name, -8], [text, 8]]) {
+      const fits = context.measureText(text).width < x1 - x0;
+      for (const [line, offset] of [[name, -8], [fits ? text : text.split(' ±')[0], 8]]) {
         context.strokeText(line, (x0 + x1) / 2, (y0 + y1) / 2 + offset * pixels);
         context.fillText(line, (x0 + x1) / 2, (y0 + y1) / 2 + offset * pixels);
       }
