@@ -77,8 +77,9 @@ class Finder {
     const auto effort_a = common ? effort_to_reach(first.points, error) : std::nullopt;
     const auto effort_b = common ? effort_to_reach(curve.points, error) : std::nullopt;
     if (effort_a && effort_b)
-      findings_.against.push_back(
-          {curve.name, error, speed_ratio(effort_a->seconds, effort_b->seconds, findings_.confidence)});
+      findings_.against.push_back({curve.name, error,
+                                   speed_ratio(effort_a->seconds, effort_b->seconds, findings_.confidence),
+                                   findings_.confidence});
     else
       findings_.not_compared.push_back(fmt::format(
           "'{}' and '{}' pass through no common error: widen --spp-range", curve.name, first.name));

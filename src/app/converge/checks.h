@@ -33,8 +33,9 @@ struct Check {
 /// How a variant stands to the first one.
 struct Against {
   std::string variant;
-  double error = 0;  // at which both are compared
-  SpeedRatio speed;  // how many times as fast the variant is as the first
+  double error = 0;                         // at which both are compared
+  SpeedRatio speed;                         // how many times as fast the variant is as the first
+  double confidence = converge_confidence;  // of its interval
 };
 
 /// How a variant's image stands to the reference, or to that of the first variant.

@@ -79,7 +79,7 @@ std::string effort_sentence(const ConvergeCurve& curve, const std::optional<Effo
 }
 
 std::string speed_sentence(const Against& against, const std::string& first) {
-  const std::string ratio = ratio_text(against.speed, converge_confidence);
+  const std::string ratio = ratio_text(against.speed, against.confidence);
   const std::string error = percent_text(against.error);
   if (against.speed.faster == Faster::second)
     return fmt::format("'{}' is faster than '{}': it reaches {} {}", against.variant, first, error, ratio);
