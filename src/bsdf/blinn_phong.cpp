@@ -72,9 +72,7 @@ std::optional<BsdfSample> BlinnPhong::sample(const Vec3& wo, float u1, const Vec
     const Vec3 h = on_side_of(sampled_half_vector(u2, exponent), wo);
     wi = 2 * dot(wo, h) * h - wo;
   }
-  const float density = pdf(wo, wi);
-  if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
-  return BsdfSample{wi, f_cos(wo, wi) / density, density};
+  return sample_at(*this, wo, wi);
 }
 
 Spectrum BlinnPhong::albedo() const { return (kd + ks) / excess(kd, ks); }

@@ -20,8 +20,8 @@ struct BlinnPhong {
 
   static constexpr const char* kind = "blinn_phong";
   static constexpr const char* doc = "diffuse plus a highlight around the mirror direction (Blinn-Phong)";
-  static constexpr bool only_delta = false;
-  static constexpr bool has_choice = true;
+  static constexpr bool only_delta() { return false; }
+  static constexpr bool has_choice() { return true; }
   static constexpr auto parameters = std::tuple{
       parameter<&BlinnPhong::kd>("kd", "diffuse coefficient", zero_to_one),
       parameter<&BlinnPhong::ks>("ks", "specular coefficient", zero_to_one),

@@ -35,13 +35,21 @@ concept BsdfModel = std::is_trivially_copyable_v<T> &&
   { lobe.sample(w, u1, u2) } -> std::same_as<std::optional<BsdfSample>>;
   { lobe.albedo() } -> std::same_as<Spectrum>;  // approximate reflectance, for the albedo layer
   { lobe.local_model() } -> std::same_as<BlinnPhongCoefficients>;  // the lobe's local counterpart
-  { T::only_delta } -> std::convertible_to<bool>;                  // has no part that f_cos() could see
-  { T::has_choice } -> std::convertible_to<bool>;                  // sample() looks at u1
+  { lobe.only_delta() } -> std::same_as<bool>;                     // has no part that f_cos() could see
+  { lobe.has_choice() } -> std::same_as<bool>;                     // sample() looks at u1
   T::parameters;                                                   // see core/parameters.h
 };
 
 inline float cos_theta(const Vec3& w) { return w.z; }
 inline bool same_side(const Vec3& a, const Vec3& b) { return a.z * b.z > 0; }
 inline Vec3 on_side_of(const Vec3& w, const Vec3& side) { return side.z < 0 ? Vec3{w.x, w.y, -w.z} : w; }
+
+// The sample that `wi`, drawn with the density pdf(), is; none where that direction cannot be.
+template <class Lobe>
+std::optional<BsdfSample> sample_at(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
+  const float density = lobe.pdf(wo, wi);
+  if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+  return BsdfSample{wi, lobe.f_cos(wo, wi) / density, density};
+}
 
 }  // namespace umbral

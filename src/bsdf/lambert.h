@@ -15,8 +15,8 @@ struct Lambert {
 
   static constexpr const char* kind = "matte";
   static constexpr const char* doc = "an ideally diffuse surface (Lambert)";
-  static constexpr bool only_delta = false;
-  static constexpr bool has_choice = false;
+  static constexpr bool only_delta() { return false; }
+  static constexpr bool has_choice() { return false; }
   static constexpr auto parameters = std::tuple{
       parameter<&Lambert::reflectance>("reflectance", "share of the light that is reflected", zero_to_one)};
 

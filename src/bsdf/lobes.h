@@ -4,13 +4,18 @@
 #include <variant>
 
 #include "bsdf/blinn_phong.h"
+#include "bsdf/conductor.h"
 #include "bsdf/dielectric.h"
+#include "bsdf/diffuse_transmission.h"
 #include "bsdf/lambert.h"
 #include "bsdf/mirror.h"
+#include "bsdf/plastic.h"
+#include "bsdf/thin_dielectric.h"
 
 namespace umbral {
 
-using Lobes = std::variant<Lambert, BlinnPhong, Mirror, Dielectric>;
+using Lobes = std::variant<Lambert, BlinnPhong, Mirror, Dielectric, Conductor, Plastic, ThinDielectric,
+                           DiffuseTransmission>;
 
 template <class... T>
 constexpr bool all_are_bsdf_models(std::variant<T...>*) {
@@ -32,10 +37,10 @@ inline Spectrum albedo(const Lobes& lobes) {
   return std::visit([](const auto& lobe) { return lobe.albedo(); }, lobes);
 }
 inline bool only_delta(const Lobes& lobes) {
-  return std::visit([](const auto& lobe) { return lobe.only_delta; }, lobes);
+  return std::visit([](const auto& lobe) { return lobe.only_delta(); }, lobes);
 }
 inline bool has_choice(const Lobes& lobes) {
-  return std::visit([](const auto& lobe) { return lobe.has_choice; }, lobes);
+  return std::visit([](const auto& lobe) { return lobe.has_choice(); }, lobes);
 }
 inline BlinnPhongCoefficients to_blinn_phong(const Lobes& lobes) {
   return std::visit([](const auto& lobe) { return lobe.local_model(); }, lobes);

@@ -14,8 +14,8 @@ struct Mirror {
 
   static constexpr const char* kind = "mirror";
   static constexpr const char* doc = "a perfect mirror, the same at every angle";
-  static constexpr bool only_delta = true;
-  static constexpr bool has_choice = false;
+  static constexpr bool only_delta() { return true; }
+  static constexpr bool has_choice() { return false; }
   static constexpr auto parameters = std::tuple{
       parameter<&Mirror::reflectance>("reflectance", "share of the light that is reflected", zero_to_one)};
 

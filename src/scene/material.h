@@ -49,16 +49,21 @@ void set_from_texture(Lobes& lobe, const Texture& texture, const Vec2& uv) {
 
 }  // namespace detail
 
-// Calls visitor(info, Textured<float or Spectrum>&) for each parameter of the material's lobe and for its alpha,
-// and keeps what the visitor wrote.
+// Calls visitor(info, Textured<float or Spectrum>&) for each parameter of the material's lobe and for its alpha, with a
+// plain reference for one that is a choice among names, and keeps what the visitor wrote.
 template <class Visitor>
 void for_each_material_parameter(Material& material, Visitor&& visitor) {
   const auto visit_one = [&](auto& lobe, const auto& parameter) {
     constexpr auto member = std::remove_reference_t<decltype(parameter)>::member;
-    Textured<std::remove_reference_t<decltype(lobe.*member)>> textured{lobe.*member};
-    visitor(parameter.info, textured);
-    lobe.*member = textured.value;
-    if (!textured.is_constant()) material.maps.push_back({detail::set_from_texture<member>, textured.map});
+    using T = std::remove_reference_t<decltype(lobe.*member)>;
+    if constexpr (std::is_enum_v<T>) {
+      visitor(parameter.info, lobe.*member);
+    } else {
+      Textured<T> textured{lobe.*member};
+      visitor(parameter.info, textured);
+      lobe.*member = textured.value;
+      if (!textured.is_constant()) material.maps.push_back({detail::set_from_texture<member>, textured.map});
+    }
   };
   std::visit(
       [&](auto& lobe) {

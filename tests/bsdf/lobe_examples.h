@@ -14,6 +14,11 @@ class RandomParameters {
  public:
   explicit RandomParameters(Random& random) : random_(random) {}
 
+  template <class E>
+    requires std::is_enum_v<E>
+  void operator()(const ParameterInfo&, E& value) {
+    value = static_cast<E>(random_.below(EnumNames<E>::names.size()));
+  }
   void operator()(const ParameterInfo& info, float& value) { value = number(info.range); }
   void operator()(const ParameterInfo& info, Spectrum& value) {
     const float r = number(info.range);
@@ -55,12 +60,25 @@ std::vector<Lobe> lobe_examples(int count) {
   return lobes;
 }
 
-/// Whether light passes through the lobe and changes its radiance by the square of `eta`.
+/// Whether light passes through the lobe, and whether its radiance is changed by that, by the square of an index.
+template <class Lobe>
+inline constexpr bool transmits = requires {
+  Lobe::transmits;
+};
 template <class Lobe>
 inline constexpr bool refracts = requires(const Lobe& lobe) {
-  lobe.eta;
-  lobe.transmittance;
+  lobe.interior_eta();
 };
+
+/// By how much a lobe may reflect more than arrives: the error of the quadrature, and of the tables it is compensated by.
+template <class Lobe>
+inline constexpr double albedo_excess = 2e-5;
+template <>
+inline constexpr double albedo_excess<Conductor> = 0.01;
+template <>
+inline constexpr double albedo_excess<Dielectric> = 0.01;
+template <>
+inline constexpr double albedo_excess<Plastic> = 3e-3;
 
 /// The unit vector with this z and azimuth (radians).
 inline Vec3 direction_at(double z, double phi) {

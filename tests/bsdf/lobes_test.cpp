@@ -35,6 +35,10 @@ template <class Lobe>
 class EveryLobe : public testing::Test {};
 TYPED_TEST_SUITE(EveryLobe, TypesOf<Lobes>::type, KindNames);
 
+// Lobes that are compensated by tables take longer to evaluate.
+template <class Lobe>
+constexpr int few = albedo_excess<Lobe> > 1e-4 ? 5 : 8;
+
 // Outgoing directions from the normal to 0.06° above the horizon, on both sides.
 const std::array directions{direction_at(1, 0),    direction_at(0.9, 1),   direction_at(-0.6, 2.5),
                             direction_at(0.25, 4), direction_at(-0.05, 6), direction_at(0.001, 5)};
@@ -47,17 +51,23 @@ const std::array edge_directions{direction_at(1, 0),        direction_at(-1, 0),
                                  direction_at(-1e-30, 0.3), direction_at(1e-42, 4), Vec3{1, 0, 0.0f},
                                  Vec3{0.6f, -0.8f, 0.0f},   Vec3{-1, 0, -0.0f},     Vec3{0, 0, 1}};
 
+struct ParameterPrinter {
+  std::ostringstream& text;
+  void operator()(const ParameterInfo& info, float x) { text << info.name << " = " << x << ", "; }
+  template <class E>
+    requires std::is_enum_v<E>
+  void operator()(const ParameterInfo& info, E x) {
+    text << info.name << " = " << EnumNames<E>::names[static_cast<std::size_t>(x)] << ", ";
+  }
+  void operator()(const ParameterInfo& info, const Spectrum& s) {
+    text << info.name << " = (" << s.r << ", " << s.g << ", " << s.b << "), ";
+  }
+};
+
 template <class Lobe>
 std::string text_of(const Lobe& lobe, const Vec3& wo) {
   std::ostringstream text;
-  struct Print {
-    std::ostringstream& text;
-    void operator()(const ParameterInfo& info, float x) { text << info.name << " = " << x << ", "; }
-    void operator()(const ParameterInfo& info, const Spectrum& s) {
-      text << info.name << " = (" << s.r << ", " << s.g << ", " << s.b << "), ";
-    }
-  };
-  for_each_parameter(lobe, Print{text});
+  for_each_parameter(lobe, ParameterPrinter{text});
   text << "wo = (" << wo.x << ", " << wo.y << ", " << wo.z << ")";
   return text.str();
 }
@@ -89,14 +99,14 @@ double total_of(const SphereCells& cells, F&& f) {
 template <class Lobe>
 float flux_scale(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
   if constexpr (refracts<Lobe>) {
-    if (!same_side(wo, wi)) return sqr(wo.z > 0 ? lobe.eta : 1 / lobe.eta);
+    if (!same_side(wo, wi)) return sqr(wo.z > 0 ? lobe.interior_eta() : 1 / lobe.interior_eta());
   }
   return 1;
 }
 
 TYPED_TEST(EveryLobe, DrawsDirectionsByItsDensity) {
   Random random(1);
-  for (const TypeParam& lobe : lobe_examples<TypeParam>(8))
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(few<TypeParam>))
     for (const Vec3& wo : directions) {
       SCOPED_TRACE(text_of(lobe, wo));
       const SphereCells cells = cells_of(lobe, wo, random);
@@ -145,7 +155,7 @@ TYPED_TEST(EveryLobe, IsReciprocal) {
       const auto scattered = [&](const Vec3& wo, const Vec3& wi) {
         Spectrum f = lobe.f_cos(wo, wi) / std::abs(wi.z);
         if constexpr (refracts<TypeParam>) {
-          if (wo.z < 0) f /= sqr(lobe.eta);
+          if (wo.z < 0) f /= sqr(lobe.interior_eta());
         }
         return f;
       };
@@ -157,7 +167,7 @@ TYPED_TEST(EveryLobe, IsReciprocal) {
 TYPED_TEST(EveryLobe, ReflectsNoMoreThanArrives) {
   Random random(4);
   int channel = 0;
-  for (const TypeParam& lobe : lobe_examples<TypeParam>(8))
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(few<TypeParam>))
     for (const Vec3& wo : directions) {
       SCOPED_TRACE(text_of(lobe, wo));
       channel = (channel + 1) % 3;
@@ -172,14 +182,14 @@ TYPED_TEST(EveryLobe, ReflectsNoMoreThanArrives) {
         if (sample && sample->delta)
           albedo += flux_scale(lobe, wo, sample->wi) * sample->weight[channel] / grid;
       }
-      EXPECT_LE(albedo, 1 + 2e-5) << "channel " << channel;
+      EXPECT_LE(albedo, 1 + albedo_excess<TypeParam>) << "channel " << channel;
     }
 }
 
 // The mean weight of the draws is the albedo by quadrature: no part of f is out of the sampling's reach.
 TYPED_TEST(EveryLobe, DrawsReachAllThatItReflects) {
   Random random(5);
-  for (const TypeParam& lobe : lobe_examples<TypeParam>(8))
+  for (const TypeParam& lobe : lobe_examples<TypeParam>(few<TypeParam>))
     for (const Vec3& wo : directions) {
       SCOPED_TRACE(text_of(lobe, wo));
       const double albedo =
@@ -207,7 +217,7 @@ TYPED_TEST(EveryLobe, StaysFiniteAtTheEndsOfEveryRange) {
         EXPECT_TRUE(is_finite(f_cos) && min_component(f_cos) >= 0)
             << text_of(lobe, wo) << ", z of wi = " << wi.z;
         EXPECT_TRUE(std::isfinite(pdf) && pdf >= 0) << text_of(lobe, wo) << ", z of wi = " << wi.z;
-        if (wo.z * wi.z <= 0 && !refracts<TypeParam>) {
+        if (wo.z * wi.z <= 0 && !transmits<TypeParam>) {
           EXPECT_EQ(pdf, 0);
           EXPECT_TRUE(is_black(f_cos));
         }
@@ -254,12 +264,12 @@ TYPED_TEST(EveryLobe, TellsTheTruthAboutItsParts) {
         const float u1 = random.number(), other = random.number();
         const Vec2 u2 = random.square();
         const auto sample = lobe.sample(wo, u1, u2);
-        if (!TypeParam::has_choice) {
+        if (!lobe.has_choice()) {
           const auto same = lobe.sample(wo, other, u2);
           ASSERT_EQ(sample.has_value(), same.has_value());
           EXPECT_TRUE(!sample || sample->wi == same->wi) << "u1 is looked at";
         }
-        if (!TypeParam::only_delta) continue;
+        if (!lobe.only_delta()) continue;
         const Vec3 wi = sample ? sample->wi : Vec3(random.direction());
         EXPECT_TRUE(!sample || sample->delta);
         EXPECT_TRUE(is_black(lobe.f_cos(wo, wi))) << "a mirror cannot be evaluated";
@@ -278,21 +288,28 @@ TYPED_TEST(EveryLobe, HasAnAlbedoAndALocalModelWithinTheirRanges) {
   }
 }
 
+struct ParameterChecker {
+  std::set<std::string>& names;
+  void operator()(const ParameterInfo& info, float value) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_TRUE(info.range.contains(value)) << info.name;
+  }
+  template <class E>
+    requires std::is_enum_v<E>
+  void operator()(const ParameterInfo& info, E value) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_LT(static_cast<std::size_t>(value), EnumNames<E>::names.size());
+  }
+  void operator()(const ParameterInfo& info, const Spectrum& value) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(info.range.contains(value[c])) << info.name;
+  }
+};
+
 TYPED_TEST(EveryLobe, DescribesEachParameterOnceAndStartsWithinItsRange) {
   std::set<std::string> names;
-  struct Check {
-    std::set<std::string>& names;
-    void operator()(const ParameterInfo& info, float value) {
-      EXPECT_TRUE(names.insert(info.name).second) << info.name;
-      EXPECT_TRUE(info.range.contains(value)) << info.name;
-    }
-    void operator()(const ParameterInfo& info, const Spectrum& value) {
-      EXPECT_TRUE(names.insert(info.name).second) << info.name;
-      for (int c = 0; c < 3; ++c) EXPECT_TRUE(info.range.contains(value[c])) << info.name;
-    }
-  };
   const TypeParam lobe;
-  for_each_parameter(lobe, Check{names});
+  for_each_parameter(lobe, ParameterChecker{names});
   EXPECT_FALSE(names.empty());
 }
 

@@ -26,8 +26,9 @@ inline MaterialId add_material(SceneDescription& scene, const Lobes& lobe,
   Material material;
   material.lobe = lobe;
   for_each_material_parameter(material, [&](const ParameterInfo& info, auto& value) {
-    for (const auto& [name, texture] : maps)
-      if (name == info.name) value.map = texture;
+    if constexpr (requires { value.map; })
+      for (const auto& [name, texture] : maps)
+        if (name == info.name) value.map = texture;
   });
   scene.materials.push_back(material);
   return static_cast<MaterialId>(scene.materials.size() - 1);

@@ -1,0 +1,72 @@
+// Evaluation and sampling of metals: visible normals for one bounce, the losses for more.
+#include "bsdf/conductor.h"
+
+#include "bsdf/fresnel.h"
+#include "bsdf/microfacet_albedo.h"
+
+namespace umbral {
+namespace {
+
+Ggx ggx_of(const Conductor& lobe) { return Ggx::of_roughness(lobe.roughness, lobe.anisotropy); }
+
+bool has_index(const Conductor& lobe) {
+  return lobe.metal != Metal::none || !is_black(lobe.eta) || !is_black(lobe.k);
+}
+
+ComplexIndex index_of(const Conductor& lobe) {
+  return lobe.metal != Metal::none ? metal_index(lobe.metal) : ComplexIndex{lobe.eta, lobe.k};
+}
+
+}  // namespace
+
+Spectrum Conductor::fresnel(float cos_theta) const {
+  if (!has_index(*this)) return fresnel_schlick(cos_theta, reflectance, edge_tint);
+  const ComplexIndex index = index_of(*this);
+  return fresnel_conductor(cos_theta, index.eta, index.k);
+}
+
+// Of a complex index by Gauss's rule with three points over cos² θ.
+Spectrum Conductor::fresnel_average() const {
+  if (!has_index(*this)) return fresnel_schlick_average(reflectance, edge_tint);
+  return (5.0f * (fresnel(0.33571068f) + fresnel(0.94196515f)) + 8.0f * fresnel(0.70710678f)) / 18.0f;
+}
+
+Spectrum Conductor::f_cos(const Vec3& wo, const Vec3& wi) const {
+  if (!same_side(wo, wi) || only_delta()) return black;
+  const Ggx ggx = ggx_of(*this);
+  const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  const Vec3 sum = o + i;
+  const float length = glm::length(sum);
+  Spectrum f = black;
+  if (length > 1e-12f) f = fresnel(0.5f * length) * (ggx.density(sum / length) * ggx.shadowed_cos(o, i));
+  const float loss = ggx_average_loss(ggx);
+  if (!(loss > 0)) return f;
+  const Spectrum mean = fresnel_average();
+  const Spectrum more = mean * mean * (1 - loss) / (1.0f - mean * loss);
+  return f + more * (ggx_loss(ggx, o) * ggx_loss(ggx, i) * inverse_pi / loss * i.z);
+}
+
+float Conductor::pdf(const Vec3& wo, const Vec3& wi) const {
+  if (!same_side(wo, wi) || only_delta()) return 0;
+  const Ggx ggx = ggx_of(*this);
+  const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  const float more = ggx_loss(ggx, o);
+  return (1 - more) * ggx.reflection_pdf(o, i) + more * lossy_direction_pdf(i.z, sqr(roughness));
+}
+
+std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float u1, const Vec2& u2) const {
+  const Vec3 o = on_side_of(wo, wo);
+  if (only_delta()) return BsdfSample{{-wo.x, -wo.y, wo.z}, fresnel(o.z), 0, true};
+  const Ggx ggx = ggx_of(*this);
+  if (u1 < ggx_loss(ggx, o))
+    return sample_at(*this, wo, on_side_of(sample_lossy_direction(u2, sqr(roughness)), wo));
+  const Vec3 wi = reflected(o, ggx.sample_visible_normal(o, u2));
+  if (wi.z <= 0) return std::nullopt;
+  return sample_at(*this, wo, on_side_of(wi, wo));
+}
+
+BlinnPhongCoefficients Conductor::local_model() const {
+  return {black, black, fresnel(1), only_delta() ? 1000 : ggx_of(*this).exponent()};
+}
+
+}  // namespace umbral

@@ -1,0 +1,136 @@
+// Evaluation and sampling of interfaces: Fresnel's choice at a visible normal, and what is left to many bounces.
+#include "bsdf/dielectric.h"
+
+#include "bsdf/fresnel.h"
+#include "bsdf/microfacet_albedo.h"
+
+namespace umbral {
+namespace {
+
+// The interface as it is seen from the side of wo.
+struct Side {
+  Ggx ggx;
+  bool outside;
+  float eta;                // beyond / on this side
+  float lost;               // M of wo
+  float mean, mean_beyond;  // m
+  float through;            // t: the share of the lost light that ends beyond
+};
+
+float lost_of(const Dielectric& lobe, float cos_theta) {
+  return interface_shares(cos_theta, sqr(lobe.roughness), lobe.eta).lost;
+}
+
+// Of the lost light as much goes in as of one bounce's, unless as much could not come out again.
+Side side_of(const Dielectric& lobe, const Vec3& wo) {
+  const float alpha = sqr(lobe.roughness);
+  const InterfaceAverages averages = interface_averages(alpha, lobe.eta);
+  const float outside = std::max(1e-9f, averages.lost_outside);
+  const float inside = std::max(1e-9f, averages.lost_inside);
+  const float ratio = sqr(lobe.eta) * inside / outside;
+  const float to_inside = std::min(1 - averages.reflected / (1 - outside), ratio);
+  const float lost = lost_of(lobe, wo.z);
+  if (wo.z > 0) return {{alpha, alpha}, true, lobe.eta, lost, outside, inside, to_inside};
+  return {{alpha, alpha}, false, 1 / lobe.eta, lost, inside, outside, to_inside / ratio};
+}
+
+// The facet that refracts wo to wi, both turned so that wo is above.
+struct Facet {
+  Vec3 h;
+  float length2;  // of wo + eta wi
+  float reflected;
+};
+
+// The sum is always taken from outside, so that both ways along a path find the same digits.
+std::optional<Facet> refracting_facet(const Side& side, const Vec3& wo, const Vec3& wi) {
+  const float eta = side.outside ? side.eta : 1 / side.eta;
+  const Vec3 sum = side.outside ? wo + eta * wi : wi + eta * wo;
+  const float length2 = dot(sum, sum);
+  if (!(length2 > 1e-20f)) return std::nullopt;
+  const Vec3 h = sum / (sum.z < 0 ? -std::sqrt(length2) : std::sqrt(length2));
+  const float cos_o = dot(wo, h), cos_i = -dot(wi, h);
+  if (!(cos_o > 0) || !(cos_i > 0)) return std::nullopt;
+  return Facet{h, side.outside ? length2 : length2 / sqr(eta),
+               fresnel_dielectric(side.outside ? cos_o : cos_i, eta)};
+}
+
+float facet_reflectance(const Side& side, const Vec3& wo, const Vec3& wi) {
+  return fresnel_dielectric(0.5f * glm::length(wo + wi), side.eta);
+}
+
+Vec3 turned(const Vec3& w, const Vec3& wo) { return wo.z < 0 ? Vec3{w.x, w.y, -w.z} : w; }
+
+}  // namespace
+
+bool Dielectric::only_delta() const { return sqr(roughness) * std::min(1.0f, eta - 1) < Ggx::smallest_alpha; }
+
+Spectrum Dielectric::f_cos(const Vec3& wo, const Vec3& wi) const {
+  if (only_delta() || wo.z == 0 || wi.z == 0) return black;
+  const Side side = side_of(*this, wo);
+  const Vec3 o = turned(wo, wo), i = turned(wi, wo);
+  const float zi = std::abs(i.z);
+  const float both = side.lost * lost_of(*this, wi.z) * inverse_pi;
+  if (i.z > 0) {
+    const Vec3 sum = o + i;
+    const float length = glm::length(sum);
+    float f = both * (1 - side.through) / side.mean * zi;
+    if (length > 1e-12f)
+      f += facet_reflectance(side, o, i) * side.ggx.density(sum / length) * side.ggx.shadowed_cos(o, i);
+    return reflectance * f;
+  }
+  float f = both * side.through / (side.mean_beyond * sqr(side.eta)) * zi;
+  if (const auto facet = refracting_facet(side, o, i)) {
+    const float projected = 4 * dot(o, facet->h) * -dot(i, facet->h) / facet->length2;
+    f += (1 - facet->reflected) * side.ggx.density(facet->h) * side.ggx.shadowed_cos(o, {i.x, i.y, zi}) *
+         projected;
+  }
+  return transmittance * f;
+}
+
+float Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
+  if (only_delta() || wo.z == 0 || wi.z == 0) return 0;
+  const Side side = side_of(*this, wo);
+  const Vec3 o = turned(wo, wo), i = turned(wi, wo);
+  const float diffuse = side.lost * lossy_direction_pdf(std::abs(i.z), side.ggx.alpha_x);
+  if (i.z > 0)
+    return diffuse * (1 - side.through) +
+           (1 - side.lost) * facet_reflectance(side, o, i) * side.ggx.reflection_pdf(o, i);
+  float pdf = diffuse * side.through;
+  if (const auto facet = refracting_facet(side, o, i))
+    pdf += (1 - side.lost) * (1 - facet->reflected) * side.ggx.visible_normal_pdf(o, facet->h) *
+           sqr(side.eta) * -dot(i, facet->h) / facet->length2;
+  return pdf;
+}
+
+std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, float u1, const Vec2& u2) const {
+  const Vec3 o = turned(wo, wo);
+  const float relative_eta = wo.z > 0 ? eta : 1 / eta;
+  if (only_delta()) {
+    if (u1 < fresnel_dielectric(o.z, relative_eta))
+      return BsdfSample{{-wo.x, -wo.y, wo.z}, reflectance, 0, true};
+    const std::optional<Vec3> down = refracted(o, relative_eta);
+    if (!down) return std::nullopt;
+    return BsdfSample{turned(*down, wo), transmittance / sqr(relative_eta), 0, true};
+  }
+  if (wo.z == 0) return std::nullopt;
+  const Side side = side_of(*this, wo);
+  if (u1 < side.lost) {
+    const Vec3 wi = sample_lossy_direction(u2, side.ggx.alpha_x);
+    const bool through = u1 < side.lost * side.through;
+    return sample_at(*this, wo, turned(through ? Vec3{wi.x, wi.y, -wi.z} : wi, wo));
+  }
+  const Vec3 h = side.ggx.sample_visible_normal(o, u2);
+  const float share = (u1 - side.lost) / (1 - side.lost);
+  const bool reflects = share < fresnel_dielectric(std::max(0.0f, dot(o, h)), relative_eta);
+  const std::optional<Vec3> wi = reflects ? reflected(o, h) : refracted_at(o, h, relative_eta);
+  if (!wi || (wi->z > 0) != reflects) return std::nullopt;
+  return sample_at(*this, wo, turned(*wi, wo));
+}
+
+BlinnPhongCoefficients Dielectric::local_model() const {
+  const float alpha = sqr(roughness);
+  return {black, black, reflectance * sqr((eta - 1) / (eta + 1)),
+          only_delta() ? 1000 : Ggx{alpha, alpha}.exponent()};
+}
+
+}  // namespace umbral

@@ -1,0 +1,84 @@
+// Microfacet surfaces with the GGX distribution of slopes: densities, shadowing and sampling of half-vectors.
+#pragma once
+
+#include <optional>
+
+#include "core/math.h"
+
+namespace umbral {
+
+// The GGX distribution [Walter et al. 2007], stretched along x and y, with the height-correlated masking and shadowing
+// of Smith [Heitz 2014]. All directions are local, unit, with z ≥ 0. Nothing subtracts nearly equal numbers, so
+// every function keeps its digits for any alpha and towards the horizon.
+struct Ggx {
+  // Below this width (0.06°) the surface is a mirror: towards the horizon its highlight gets as narrow as the steps
+  // between the directions that floats can hold.
+  static constexpr float smallest_alpha = 1e-3f;
+
+  float alpha_x, alpha_y;  // root of twice the variance of the slope along x and y
+
+  // alpha = roughness², stretched to alpha (1 ± anisotropy) [Kulla and Conty 2017]; anisotropy in (−1, 1).
+  static Ggx of_roughness(float roughness, float anisotropy = 0) {
+    const float alpha = sqr(roughness);
+    return {std::max(alpha * (1 + anisotropy), smallest_alpha),
+            std::max(alpha * (1 - anisotropy), smallest_alpha)};
+  }
+
+  // Area of facets with normal h per area of surface and solid angle: D(h).
+  float density(const Vec3& h) const {
+    const float q = sqr(h.x / alpha_x) + sqr(h.y / alpha_y) + sqr(h.z);
+    return 1 / (pi * alpha_x * alpha_y * q * q);
+  }
+
+  // S(w) = cos θ (1 + 2 Λ(w)): the root that all of Smith's terms are made of, at least cos θ.
+  float spread(const Vec3& w) const { return std::sqrt(sqr(w.z) + sqr(alpha_x * w.x) + sqr(alpha_y * w.y)); }
+
+  // G₂(wo, wi)/(4 cos θo): with D and F this is f |cos θi| on one side of the surface.
+  float shadowed_cos(const Vec3& wo, const Vec3& wi) const {
+    const float sum = wo.z * spread(wi) + wi.z * spread(wo);
+    return sum > 0 ? 0.5f * (wi.z / sum) : 0.0f;
+  }
+
+  // Density of sample(), per solid angle of h: G₁(wo) max(0, wo·h) D(h)/cos θo.
+  float visible_normal_pdf(const Vec3& wo, const Vec3& h) const {
+    const float facing = dot(wo, h);
+    return facing > 0 ? 2 * facing * density(h) / (wo.z + spread(wo)) : 0.0f;
+  }
+
+  // Density of the directions that mirror wo at these normals, per solid angle.
+  float reflection_pdf(const Vec3& wo, const Vec3& wi) const {
+    const Vec3 sum = wo + wi;
+    const float length2 = dot(sum, sum);
+    if (!(length2 > 1e-24f)) return 0;
+    return density(sum / std::sqrt(length2)) / (2 * (wo.z + spread(wo)));
+  }
+
+  // A normal visible from wo, by a spherical cap in the space where the surface is a sphere
+  // [Dupuy and Benyoub 2023]. h.z = 0 where the draw has no normal (the two ends of the cap cancel).
+  Vec3 sample_visible_normal(const Vec3& wo, const Vec2& u) const {
+    const Vec3 stretched = glm::normalize(Vec3{alpha_x * wo.x, alpha_y * wo.y, wo.z});
+    const float z = (1 - u.y) * (1 + stretched.z) - stretched.z;
+    const float r = safe_sqrt((1 - z) * (1 + z));
+    const float phi = two_pi * u.x;
+    const Vec3 sum = Vec3{r * std::cos(phi), r * std::sin(phi), z} + stretched;
+    if (!(sum.z > 0)) return {1, 0, 0};
+    return glm::normalize(Vec3{alpha_x * sum.x, alpha_y * sum.y, sum.z});
+  }
+
+  // The exponent of Blinn and Phong whose highlight is as wide [Walter et al. 2007].
+  float exponent() const { return glm::clamp(2 / (alpha_x * alpha_y) - 2, 0.0f, 1e6f); }
+};
+
+// `w` mirrored at the facet with normal h.
+inline Vec3 reflected(const Vec3& w, const Vec3& h) { return 2 * dot(w, h) * h - w; }
+
+// `w` refracted at the facet with normal h, on the side of which it is; eta = index beyond / index before. None at total
+// internal reflection.
+inline std::optional<Vec3> refracted_at(const Vec3& w, const Vec3& h, float eta) {
+  const float cos_i = dot(w, h);
+  const float sin2_t = std::max(0.0f, 1 - sqr(cos_i)) / sqr(eta);
+  if (sin2_t >= 1) return std::nullopt;
+  return glm::normalize((cos_i / eta - std::sqrt(1 - sin2_t)) * h - w / eta);
+}
+
+}  // namespace umbral

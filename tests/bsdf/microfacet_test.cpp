@@ -1,0 +1,281 @@
+// GGX facets: the published albedos, digits at narrow widths, the sampling's Jacobian, and surfaces that lose nothing.
+#include "bsdf/microfacet.h"
+
+#include <array>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "bsdf/conductor.h"
+#include "bsdf/dielectric.h"
+#include "bsdf/fresnel.h"
+#include "bsdf/microfacet_albedo.h"
+#include "bsdf/plastic.h"
+#include "lobe_examples.h"
+
+namespace umbral {
+namespace {
+
+using namespace test;
+
+// The mean weight of draws is the albedo, the change of radiance between media undone.
+struct Albedo {
+  double mean, error;  // standard error
+};
+
+template <class Lobe>
+Albedo albedo_by_draws(const Lobe& lobe, const Vec3& wo, double inside_eta = 1, int draws = 30'000) {
+  Random random(11);
+  double sum = 0, squares = 0;
+  for (int i = 0; i < draws; ++i) {
+    const float u1 = (static_cast<float>(i) + random.number()) / static_cast<float>(draws);
+    const auto sample = lobe.sample(wo, std::min(u1, one_minus_epsilon), random.square());
+    if (!sample) continue;
+    const double scale = same_side(wo, sample->wi) ? 1 : sqr(wo.z > 0 ? inside_eta : 1 / inside_eta);
+    sum += sample->weight.g * scale;
+    squares += sqr(sample->weight.g * scale);
+  }
+  const double mean = sum / draws;
+  return {mean, std::sqrt(std::max(0.0, squares / draws - mean * mean) / draws)};
+}
+
+// Standard errors are 0.0001 to 0.003 here.
+void expect_lossless(const Albedo& albedo, double table_error, const std::string& where) {
+  EXPECT_NEAR(albedo.mean, 1, table_error + 4 * albedo.error) << where;
+  EXPECT_LT(albedo.error, 4e-3) << where;
+}
+
+TEST(Ggx, KeepsWhatIsKnownOfItsSingleBounce) {
+  // E(cos θ) for F = 1 by quadrature, from the reference tables; 1 − ln 2 is exact.
+  EXPECT_NEAR(1 - ggx_loss({1, 1}, {0, 0, 1}), 1 - std::log(2.0), 1e-3);
+  const std::array cosines{1.0, 0.7, 0.5, 0.2, 0.05};
+  const std::array<std::pair<float, std::array<double, 5>>, 4> rows{
+      {{0.1f, {0.988, 0.981, 0.969, 0.905, 0.912}},
+       {0.3f, {0.877, 0.845, 0.822, 0.839, 0.931}},
+       {0.5f, {0.688, 0.683, 0.698, 0.790, 0.913}},
+       {1.0f, {0.307, 0.379, 0.451, 0.642, 0.848}}}};
+  for (const auto& [alpha, row] : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      EXPECT_NEAR(1 - ggx_loss({alpha, alpha}, direction_at(cosines[i], 1)), row[i], 1.5e-3)
+          << "alpha " << alpha << ", cos " << cosines[i];
+}
+
+// The density in long double at half-vectors within five widths of the peak.
+TEST(Ggx, KeepsTheDigitsOfNarrowPeaks) {
+  Random random(1);
+  for (const float alpha : {1e-1f, 1e-2f, 1e-3f, 1e-4f})
+    for (int i = 0; i < 2000; ++i) {
+      const double slope = alpha * random.between(0, 5), phi = random.between(0, 6.28);
+      const Vec3 h(glm::normalize(Vec3d(slope * std::cos(phi), slope * std::sin(phi), 1)));
+      const long double a2 = static_cast<long double>(alpha) * alpha, x = h.x, y = h.y, z = h.z;
+      const long double q = (x * x + y * y) / a2 + z * z;
+      const auto expected = static_cast<double>(1 / (3.14159265358979323846L * a2 * q * q));
+      EXPECT_NEAR(Ggx({alpha, alpha}).density(h) / expected, 1, 2e-6) << "alpha " << alpha;
+    }
+}
+
+TEST(Ggx, IsADistributionOfProjectedArea) {
+  // ∫ D(h) cos θh dωh = 1, over slopes, in which it is ∫ D cos⁴ d²m.
+  for (const Ggx& ggx : {Ggx{0.3f, 0.3f}, Ggx{0.05f, 0.6f}, Ggx{1, 1}}) {
+    double sum = 0;
+    constexpr int steps = 400;
+    for (int i = 0; i < steps; ++i)
+      for (int j = 0; j < 64; ++j) {
+        // Slopes of the rings that hold equal shares of the area.
+        const double share = (i + 0.5) / steps, r = std::sqrt(share / (1 - share)),
+                     phi = 2 * pi_d * (j + 0.5) / 64;
+        const Vec3 h(
+            glm::normalize(Vec3d(ggx.alpha_x * r * std::cos(phi), ggx.alpha_y * r * std::sin(phi), 1)));
+        const double density = ggx.density(h) * std::pow(h.z, 4) * ggx.alpha_x * ggx.alpha_y;
+        sum += density * pi_d / sqr(1 - share) / (steps * 64.0);
+      }
+    EXPECT_NEAR(sum, 1, 1e-3) << ggx.alpha_x << " " << ggx.alpha_y;
+  }
+}
+
+// The directions that two neighbouring numbers give lie as far apart as the density says: pdf = 1/|J|.
+TEST(Ggx, DrawsMirroredDirectionsWithTheInverseOfTheJacobian) {
+  Random random(2);
+  int checked = 0;
+  for (const Ggx& ggx : {Ggx{0.2f, 0.2f}, Ggx{0.1f, 0.7f}, Ggx{1, 1}, Ggx{0.5f, 0.02f}})
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 wo = direction_at(random.between(0.05, 1), random.between(0, 6.28));
+      const Vec2 u{static_cast<float>(random.between(0.05, 0.95)),
+                   static_cast<float>(random.between(0.05, 0.95))};
+      constexpr float d = 1 / 512.0f;
+      const auto wi = [&](float x, float y) {
+        return Vec3d(reflected(wo, ggx.sample_visible_normal(wo, {u.x + x, u.y + y})));
+      };
+      // Central differences of the fourth order.
+      const Vec3d du = (8.0 * (wi(d, 0) - wi(-d, 0)) - (wi(2 * d, 0) - wi(-2 * d, 0))) / (12.0 * d);
+      const Vec3d dv = (8.0 * (wi(0, d) - wi(0, -d)) - (wi(0, 2 * d) - wi(0, -2 * d))) / (12.0 * d);
+      const Vec3 at(wi(0, 0));
+      if (at.z < 0.01f) continue;
+      EXPECT_NEAR(ggx.reflection_pdf(wo, at) * glm::length(cross(du, dv)), 1, 0.01);
+      ++checked;
+    }
+  EXPECT_GT(checked, 400);
+}
+
+TEST(Conductor, LosesNothingAtAnyRoughnessWhereItsFacetsAreMirrors) {
+  for (const float alpha : {0.001f, 0.01f, 0.05f, 0.1f, 0.3f, 0.5f, 0.8f, 1.0f}) {
+    Conductor lobe;
+    lobe.reflectance = white;
+    lobe.roughness = std::sqrt(alpha);
+    for (const double c : {1.0, 0.9, 0.7, 0.5, 0.2, 0.05, 0.01})
+      expect_lossless(albedo_by_draws(lobe, direction_at(c, 1)), 0.003,
+                      fmt::format("alpha {}, cos {}", alpha, c));
+  }
+}
+
+TEST(Conductor, LosesNearlyNothingWhereItsFacetsAreStretched) {
+  for (const float anisotropy : {0.5f, -0.9f})
+    for (const float alpha : {0.1f, 0.5f}) {
+      Conductor lobe;
+      lobe.reflectance = white;
+      lobe.roughness = std::sqrt(alpha);
+      lobe.anisotropy = anisotropy;
+      for (const double c : {1.0, 0.7, 0.3})
+        for (const double phi : {0.0, 0.5, 1.2})
+          expect_lossless(albedo_by_draws(lobe, direction_at(c, phi), 1, 10'000), 0.01,
+                          fmt::format("alpha {}, anisotropy {}, cos {}, phi {}", alpha, anisotropy, c, phi));
+    }
+}
+
+TEST(Dielectric, LosesNothingAtAnyRoughnessFromEitherSide) {
+  for (const float eta : {1.33f, 1.5f, 2.4f})
+    for (const float alpha : {0.01f, 0.1f, 0.4f, 1.0f}) {
+      const Dielectric lobe{eta, white, white, std::sqrt(alpha)};
+      for (const double c : {1.0, 0.5, 0.1, -0.05, -0.5, -0.75, -1.0})
+        expect_lossless(albedo_by_draws(lobe, direction_at(c, 1), eta, 10'000), 0.01,
+                        fmt::format("eta {}, alpha {}, cos {}", eta, alpha, c));
+    }
+}
+
+TEST(Plastic, LosesNothingAtAnyRoughnessWithAWhiteBody) {
+  for (const float alpha : {0.0f, 0.01f, 0.1f, 0.5f, 1.0f}) {
+    const Plastic lobe{white, 1.5f, std::sqrt(alpha)};
+    for (const double c : {1.0, 0.7, 0.4, 0.1, 0.02})
+      expect_lossless(albedo_by_draws(lobe, direction_at(c, 1)), 0.003,
+                      fmt::format("alpha {}, cos {}", alpha, c));
+  }
+}
+
+// The bounces between body and skin deepen the colour: twice reflected, it is squared.
+TEST(Plastic, DeepensItsColor) {
+  const Plastic lobe{rgb(0.8f, 0.4f, 0.1f), 1.5f, 0};
+  const Vec3 wo = direction_at(0.9, 0), wi = direction_at(0.8, 3);
+  const Spectrum f = lobe.f_cos(wo, wi);
+  const double k = 0.5963458;  // of the known averages, for eta = 1.5
+  for (int c = 0; c < 3; ++c) {
+    const double body = lobe.reflectance[c] * (1 - k) / (1 - lobe.reflectance[c] * k);
+    const double through = (1 - fresnel_dielectric(0.9f, 1.5f)) * (1 - fresnel_dielectric(0.8f, 1.5f));
+    EXPECT_NEAR(f[c], through * body * 0.8 / pi_d / (1 - 0.0917780), 2e-3 * f[c]);
+  }
+}
+
+// As alpha goes to its smallest, what a rough lobe reflects of a smooth field goes over into what the mirror does.
+TEST(Conductor, GoesOverIntoTheMirror) {
+  Conductor rough, smooth;
+  rough.roughness = std::sqrt(Ggx::smallest_alpha) * 1.0001f;
+  smooth.roughness = std::sqrt(Ggx::smallest_alpha) * 0.9999f;
+  ASSERT_FALSE(rough.only_delta());
+  ASSERT_TRUE(smooth.only_delta());
+  for (const double c : {1.0, 0.6, 0.2, 0.05}) {
+    const Vec3 wo = direction_at(c, 1);
+    const auto seen = [&](const Conductor& lobe) {
+      double sum = 0;
+      for (int i = 0; i < 128; ++i)
+        for (int j = 0; j < 128; ++j) {
+          const auto s = lobe.sample(
+              wo, 0.3f, {(static_cast<float>(i) + 0.5f) / 128, (static_cast<float>(j) + 0.5f) / 128});
+          if (s) sum += s->weight.g * (1 + 0.5 * std::sin(3 * s->wi.x) + 0.3 * s->wi.y * s->wi.z);
+        }
+      return sum / (128 * 128);
+    };
+    EXPECT_NEAR(seen(rough), seen(smooth), 2e-3) << "cos " << c;
+  }
+}
+
+TEST(Dielectric, GoesOverIntoTheSmoothOne) {
+  Dielectric rough, smooth;
+  rough.roughness = std::sqrt(2 * Ggx::smallest_alpha) * 1.0001f;
+  smooth.roughness = std::sqrt(2 * Ggx::smallest_alpha) * 0.9999f;
+  ASSERT_FALSE(rough.only_delta());
+  ASSERT_TRUE(smooth.only_delta());
+  for (const double c : {1.0, 0.6, 0.2, -0.9, -0.3}) {
+    const Vec3 wo = direction_at(c, 1);
+    const auto seen = [&](const Dielectric& lobe) {
+      double sum = 0;
+      for (int k = 0; k < 64; ++k)
+        for (int i = 0; i < 16; ++i)
+          for (int j = 0; j < 16; ++j) {
+            const auto s =
+                lobe.sample(wo, (static_cast<float>(k) + 0.5f) / 64,
+                            {(static_cast<float>(i) + 0.5f) / 16, (static_cast<float>(j) + 0.5f) / 16});
+            if (s) sum += s->weight.g * (1 + 0.5 * std::sin(3 * s->wi.x) + 0.3 * s->wi.y * s->wi.z);
+          }
+      return sum / (64 * 16 * 16);
+    };
+    EXPECT_NEAR(seen(rough), seen(smooth), 0.01) << "cos " << c;
+  }
+}
+
+TEST(Metals, ReflectWhatIsKnownOfThem) {
+  const auto color = [](Metal metal) {
+    const ComplexIndex index = metal_index(metal);
+    return fresnel_conductor(1, index.eta, index.k);
+  };
+  const Spectrum gold = color(Metal::Au), silver = color(Metal::Ag), copper = color(Metal::Cu);
+  EXPECT_NEAR(gold.r, 0.994, 2e-3);
+  EXPECT_NEAR(gold.g, 0.789, 2e-3);
+  EXPECT_NEAR(gold.b, 0.337, 2e-3);
+  EXPECT_GT(min_component(silver), 0.9);
+  EXPECT_TRUE(copper.r > copper.g && copper.g > copper.b);
+  for (std::size_t i = 1; i < EnumNames<Metal>::names.size(); ++i) {
+    const auto metal = static_cast<Metal>(i);
+    EXPECT_LE(max_component(color(metal)), 1) << EnumNames<Metal>::names[i];
+    EXPECT_GT(min_component(color(metal)), 0.2) << EnumNames<Metal>::names[i];
+    const ComplexIndex index = metal_index(metal);
+    EXPECT_GT(min_component(fresnel_conductor(1e-4f, index.eta, index.k)), 0.995)
+        << EnumNames<Metal>::names[i];
+    // The two-point rule for the mean over the hemisphere, against a fine one.
+    Conductor lobe;
+    lobe.metal = metal;
+    Spectrum mean = black;
+    for (int k = 0; k < 2000; ++k) {
+      const float c = (static_cast<float>(k) + 0.5f) / 2000;
+      mean += lobe.fresnel(c) * (2 * c / 2000);
+    }
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(lobe.fresnel_average()[c], mean[c], 6e-3) << EnumNames<Metal>::names[i];
+  }
+}
+
+// A real index is a dielectric's.
+TEST(Fresnel, OfAMetalWithoutAbsorptionIsThatOfADielectric) {
+  for (const float eta : {1.33f, 1.5f, 2.4f})
+    for (const double c : {1.0, 0.7, 0.3, 0.1, 0.01})
+      EXPECT_NEAR(fresnel_conductor(static_cast<float>(c), grey(eta), black).g,
+                  fresnel_dielectric(static_cast<float>(c), eta), 2e-6);
+}
+
+TEST(Fresnel, OfSchlickWithAnEdgeTintHasItsValuesAndMean) {
+  const Spectrum f0 = rgb(0.9f, 0.5f, 0.04f), tint = rgb(1, 0.6f, 0.3f);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_FLOAT_EQ(fresnel_schlick(1, f0, tint)[c], f0[c]);
+    EXPECT_FLOAT_EQ(fresnel_schlick(0, f0, tint)[c], 1);
+    const float schlick = f0[c] + (1 - f0[c]) * std::pow(6 / 7.0f, 5.0f);
+    EXPECT_NEAR(fresnel_schlick(1 / 7.0f, f0, tint)[c], schlick * tint[c], 1e-6);
+    double mean = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const float cosine = (static_cast<float>(k) + 0.5f) / 2000;
+      mean += fresnel_schlick(cosine, f0, tint)[c] * 2 * cosine / 2000;
+    }
+    EXPECT_NEAR(fresnel_schlick_average(f0, tint)[c], mean, 1e-4);
+  }
+  EXPECT_EQ(fresnel_schlick(0.3f, white, white).g, 1);
+}
+
+}  // namespace
+}  // namespace umbral
