@@ -25,7 +25,7 @@ float skin_average(const Plastic& lobe) {
 // ρ (1 − K)/(1 − ρ K).
 Spectrum body_color(const Plastic& lobe, float average) {
   const float leaves = (1 - average) / sqr(lobe.eta);
-  return lobe.reflectance * leaves / (1.0f - lobe.reflectance * (1 - leaves));
+  return lobe.reflectance * leaves / (1.0f - lobe.reflectance + lobe.reflectance * leaves);
 }
 
 // The chance to sample the skin, in proportion to what it reflects, but never all of it while there is a body.
