@@ -53,7 +53,8 @@ TEST(Material, PutsEachTextureOnItsOwnParameter) {
 TEST(Material, TexturesAnyParameterOfAnyLobe) {
   for_each_kind<Lobes>([](const auto& prototype) {
     using Lobe = std::remove_cvref_t<decltype(prototype)>;
-    for_each_parameter(prototype, [](const ParameterInfo& info, const auto&) {
+    for_each_parameter(prototype, [](const ParameterInfo& info, const auto& value) {
+      if (std::is_enum_v<std::remove_cvref_t<decltype(value)>>) return;
       SCOPED_TRACE(std::string(Lobe::kind) + "." + info.name);
       SceneDescription scene;
       const TextureId map = add_texture(scene, halves(rgb(0.25f, 0.5f, 0.125f), rgb(0.75f, 0.375f, 0.625f)));
@@ -65,7 +66,7 @@ TEST(Material, TexturesAnyParameterOfAnyLobe) {
           EXPECT_EQ(before, after) << other.name;
         } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(before)>, float>) {
           EXPECT_EQ(after, 0.375f);
-        } else {
+        } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(before)>, Spectrum>) {
           EXPECT_EQ(after, rgb(0.75f, 0.375f, 0.625f));
         }
       };
