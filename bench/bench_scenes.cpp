@@ -56,8 +56,9 @@ MaterialId add_textured(SceneDescription& scene, int size, std::uint64_t seed) {
   scene.textures.back().prepare();
   Material material;
   for_each_material_parameter(material, [&](const ParameterInfo& info, auto& value) {
-    if (std::string(info.name) == "reflectance")
-      value.map = static_cast<TextureId>(scene.textures.size() - 1);
+    if constexpr (requires { value.map; })
+      if (std::string(info.name) == "reflectance")
+        value.map = static_cast<TextureId>(scene.textures.size() - 1);
   });
   scene.materials.push_back(material);
   return static_cast<MaterialId>(scene.materials.size() - 1);

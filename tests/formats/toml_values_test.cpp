@@ -141,10 +141,11 @@ TEST(TomlValues, EveryMaterialParameterTakesATexture) {
         Material evaluated{"m", material.at({0.1f, 0.1f}, file.scene.textures), {}, {1}};
         for_each_material_parameter(evaluated, [&](const ParameterInfo& other, auto& textured) {
           if (std::string(other.name) != info.name) return;
-          if constexpr (std::is_same_v<std::decay_t<decltype(textured)>, Textured<float>>)
+          if constexpr (std::is_same_v<std::decay_t<decltype(textured)>, Textured<float>>) {
             EXPECT_FLOAT_EQ(textured.value, value) << kind << " " << info.name;
-          else if constexpr (std::is_same_v<std::decay_t<decltype(textured)>, Textured<Spectrum>>)
+          } else if constexpr (std::is_same_v<std::decay_t<decltype(textured)>, Textured<Spectrum>>) {
             EXPECT_EQ(textured.value, grey(value)) << kind << " " << info.name;
+          }
         });
       }
     }
