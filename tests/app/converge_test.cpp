@@ -147,7 +147,7 @@ TEST_F(Converge, BadInputIsRefused) {
     expect(run("converge " + arguments), code, message);
   };
   refused(2, "nothing.toml", "nothing.toml: error: cannot be read");
-  refused(2, "scene.toml --replicates 15", "not in range 16 to 1024");
+  refused(2, "scene.toml --replicates 15", "Value 15 not in range");
   refused(2, "scene.toml --spp-range 4..15", "fewer than three numbers of samples");
   refused(2, "scene.toml --spp-range 4-64", "wants FIRST..LAST");
   refused(2, "scene.toml --set sampling.replicates=8 --spp-range 4..64", "must begin at a multiple");
