@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/math.h"
+
 namespace umbral {
 
 std::vector<std::size_t> holm(const std::vector<double>& p, double alpha) {
@@ -22,12 +24,11 @@ std::vector<std::size_t> holm(const std::vector<double>& p, double alpha) {
 // P(K > x) = 2 Σ_{k≥1} (−1)^{k−1} exp(−2k²x²) or, quicker for small x,
 //          = 1 − √(2π)/x Σ_{k≥1} exp(−(2k−1)²π²/8x²)
 double kolmogorov_tail(double x) {
-  constexpr double pi = 3.14159265358979323846;
   if (x <= 0) return 1;
   double sum = 0;
   if (x < 1) {
-    for (int k = 1; k <= 7; k += 2) sum += std::exp(-k * k * pi * pi / (8 * x * x));
-    return 1 - std::sqrt(2 * pi) / x * sum;
+    for (int k = 1; k <= 7; k += 2) sum += std::exp(-k * k * sqr(pi_d) / (8 * x * x));
+    return 1 - std::sqrt(2 * pi_d) / x * sum;
   }
   for (int k = 1; k <= 5; ++k) sum += (k % 2 ? 2 : -2) * std::exp(-2 * k * k * x * x);
   return sum;

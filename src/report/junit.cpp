@@ -5,35 +5,21 @@
 
 #include <fmt/format.h>
 
+#include "report/page.h"
+
 namespace umbral {
 namespace {
 
 // In content and in quoted attributes, where a line's end would become a space.
 std::string xml_text(const std::string& text) {
   std::string escaped;
-  for (const char c : text) switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\t':
-      case '\n':
-        escaped += fmt::format("&#{};", static_cast<int>(c));
-        break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20)
-          escaped += "\uFFFD";
-        else
-          escaped += c;
-    }
+  for (const char c : html_text(text))
+    if (c == '\t' || c == '\n')
+      escaped += fmt::format("&#{};", static_cast<int>(c));
+    else if (static_cast<unsigned char>(c) < 0x20)
+      escaped += "\uFFFD";
+    else
+      escaped += c;
   return escaped;
 }
 

@@ -1,7 +1,4 @@
 // The program as a user meets it: commands, messages, exit codes, files.
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -10,16 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "image/film_file.h"
+#include "support/command.h"
 
 namespace umbral {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int exit_code;
-  std::string text;  // of both output streams
-};
+using Outcome = test::CommandResult;
 
 class Cli : public testing::Test {
  protected:
@@ -49,14 +44,8 @@ intensity = 40
   ~Cli() override { fs::remove_all(folder_); }
 
   Outcome run(const std::string& arguments, const std::string& prefix = "") const {
-    const std::string command =
-        "cd '" + folder_.string() + "' && " + prefix + " " UMBRAL_PROGRAM " " + arguments + " 2>&1";
-    std::FILE* pipe = popen(command.c_str(), "r");
-    std::string text;
-    char buffer[4096];
-    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
-    const int status = pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
+    return test::run_command("cd '" + folder_.string() + "' && " + prefix + " " UMBRAL_PROGRAM " " +
+                             arguments);
   }
 
   static bool has(const Outcome& outcome, const std::string& part) {

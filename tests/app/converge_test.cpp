@@ -1,7 +1,4 @@
 // umbral converge as a user meets it: numbers, expectations, exit codes and files.
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -9,15 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "support/chromium.h"
+#include "support/command.h"
 #include "support/paths.h"
 
 namespace umbral {
 namespace {
 
-struct Outcome {
-  int exit_code;
-  std::string text;  // of both output streams
-};
+using Outcome = test::CommandResult;
 
 // A ball that light from all sides does not change: its radiance is 0.5 wherever one looks, by any number of bounces.
 constexpr const char* furnace = R"([camera]
@@ -50,14 +45,7 @@ class Converge : public testing::Test {
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
 
   Outcome run(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + directory_.path().string() + "' && " UMBRAL_PROGRAM " " + arguments + " 2>&1";
-    std::FILE* pipe = popen(command.c_str(), "r");
-    std::string text;
-    char buffer[4096];
-    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
-    const int status = pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
+    return test::run_command("cd '" + directory_.path().string() + "' && " UMBRAL_PROGRAM " " + arguments);
   }
 
   std::string contents(const std::string& name) const {

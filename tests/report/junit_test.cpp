@@ -1,13 +1,13 @@
 // JUnit reports are XML of the shape that readers of them expect, whatever the texts hold.
 #include "report/junit.h"
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/command.h"
 #include "support/paths.h"
 
 namespace umbral {
@@ -22,13 +22,8 @@ nlohmann::json parsed(const std::string& xml) {
       "python3 -c 'import json, sys, xml.etree.ElementTree as E\n"
       "def f(e): return [e.tag, e.attrib, e.text, [f(c) for c in e]]\n"
       "print(json.dumps(f(E.parse(sys.argv[1]).getroot())))' '" +
-      path.string() + "' 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
-  pclose(pipe);
-  return nlohmann::json::parse(text);
+      path.string() + "'";
+  return nlohmann::json::parse(test::run_command(command).text);
 }
 
 class Junit : public testing::Test {

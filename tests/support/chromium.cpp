@@ -1,27 +1,18 @@
 // A copy of the page with a script at either end, of which Chromium dumps what is left.
 #include "support/chromium.h"
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "support/command.h"
 #include "support/paths.h"
 
 namespace umbral::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string output_of(const std::string& command) {
-  std::FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
-  pclose(pipe);
-  return text;
-}
 
 // Notes requests and errors from before the page's first script.
 constexpr const char* recorder = R"(<script>
@@ -76,7 +67,7 @@ std::string without_entities(std::string text) {
 std::optional<std::string> chromium() {
   if (const char* chosen = std::getenv("UMBRAL_CHROMIUM")) return chosen;
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-    if (!output_of(std::string("command -v ") + name).empty()) return name;
+    if (run_command(std::string("command -v ") + name).exit_code == 0) return name;
   return std::nullopt;
 }
 
@@ -87,11 +78,12 @@ nlohmann::json run_in_page(const fs::path& page, const std::string& script) {
   insert_before(text, "<title>", recorder);
   insert_before(text, "</body>", runner(script));
   std::ofstream(copy, std::ios::binary) << text;
-  const std::string dump = output_of(
+  const CommandResult result = run_command(
       chromium().value() +
       " --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking --disable-sync"
       " --window-size=1280,900 --virtual-time-budget=20000 --user-data-dir='" +
       (directory.path() / "profile").string() + "' --dump-dom 'file://" + copy.string() + "' 2>/dev/null");
+  const std::string& dump = result.text;
   const std::string opening = "<pre id=\"test-result\">";
   const std::size_t begin = dump.rfind(opening);
   if (begin == std::string::npos) throw std::runtime_error("the page never finished: " + dump);
