@@ -6,6 +6,7 @@
 #include "analysis/distributions.h"
 #include "analysis/equality.h"
 #include "analysis/p_values.h"
+#include "analysis/squared_bias.h"
 
 namespace umbral::test {
 namespace {
@@ -158,6 +159,17 @@ TEST(SquaredBias, SeesWhatMeansDoNot) {
     EXPECT_EQ(found, 50);
     EXPECT_NEAR(mean, 0.15 * 0.15, 0.001);
   }
+}
+
+// The pixels of replicates may hang together, those with error bars of their own do not: no spread would be right for
+// both, so the verdict is left to the other statistics.
+TEST(SquaredBias, IsNotTakenOfErrorsOfTwoKinds) {
+  Synthetic a(Draw::uniform, From::replicates, 53), b(Draw::uniform, From::pixels, 54);
+  const EstimatedImage of_a = a(), of_b = b();
+  EXPECT_FALSE(squared_bias(of_a, of_b));
+  const Judgement judgement = judged(of_a, of_b, regions(), settings_at(0.05));
+  EXPECT_FALSE(judgement.statistics.empty());
+  for (const Statistic& s : judgement.statistics) EXPECT_NE(s.kind, StatisticKind::squared_bias);
 }
 
 // Unbiased, and its p-values uniform, where nothing differs.

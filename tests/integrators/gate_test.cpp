@@ -147,13 +147,12 @@ TEST(GateCalibration, RareBrightReplicatesAreInconclusive) {
 }
 
 TEST(GateCalibration, DarknessMustBeExact) {
-  const PixelImage dark{1, 1, {Vec3d(0)}};
+  const PixelImage dark{1, 1, {Vec3d(0)}}, glimmer{1, 1, {Vec3d(1e-9)}};
   GateSettings settings;
   settings.tiles = 1;
-  EXPECT_EQ(judged({dark, dark}, dark, settings).outcome, Outcome::agrees);
-  EXPECT_EQ(
-      judged({PixelImage{1, 1, {Vec3d(1e-9)}}, PixelImage{1, 1, {Vec3d(1e-9)}}}, dark, settings).outcome,
-      Outcome::differs);
+  const std::vector<PixelImage> darkness(2, dark), glimmers(2, glimmer);
+  EXPECT_EQ(judged(darkness, dark, settings).outcome, Outcome::agrees);
+  EXPECT_EQ(judged(glimmers, dark, settings).outcome, Outcome::differs);
 }
 
 // Every gated experiment is a test of a suite whose name ends in "Oracle" or "Agreement".
