@@ -3,6 +3,7 @@
 
 #include "app/load_scene.h"
 #include "core/hash.h"
+#include "core/sampler.h"
 
 namespace umbral::bench {
 namespace {
@@ -145,6 +146,53 @@ SceneDescription instanced_field() {
   scene.camera.position = {0, 7, 17};
   scene.camera.look_at = {0, 0, 0};
   scene.camera.fov = 50;
+  return scene;
+}
+
+SceneDescription hall_of_lights() {
+  constexpr int columns = 100;
+  SceneDescription scene;
+  const MaterialId pale = add_matte(scene, 0.6f), dark = add_matte(scene, 0.2f);
+  constexpr float size = 20, height = 3;
+  add(scene, Rectangle{{0, 0, 0}, {0, 0, size}, {size, 0, 0}}, pale);
+  add(scene, Rectangle{{0, height, 0}, {size, 0, 0}, {0, 0, size}}, pale);
+  add(scene, Box{{-0.1f, 0, 0}, {0, height, size}}, pale);
+  add(scene, Box{{size, 0, 0}, {size + 0.1f, height, size}}, pale);
+  add(scene, Box{{0, 0, -0.1f}, {size, height, 0}}, pale);
+  add(scene, Box{{0, 0, size}, {size, height, size + 0.1f}}, pale);
+  // Walls between the rooms, with doors in the middle.
+  for (const float start : {0.0f, 8.0f, 14.0f}) {
+    const float end = start == 0 ? 6 : start == 8 ? 12 : size;
+    add(scene, Box{{start, 0, size / 2}, {end, height, size / 2 + 0.1f}}, pale);
+    add(scene, Box{{size / 2, 0, start}, {size / 2 + 0.1f, height, end}}, pale);
+  }
+  Sampler sampler(SamplerKind::independent, {});
+  for (int i = 0; i < 60; ++i) {
+    const Vec2 at = sampler.next2d() * (size - 2);
+    const Vec2 shape = sampler.next2d();
+    add(scene, Box{{at.x, 0, at.y}, {at.x + 0.4f + shape.x, 0.4f + 0.6f * shape.y, at.y + 0.8f}}, dark);
+  }
+  for (int i = 0; i < columns * columns; ++i) {
+    // A hand away from every wall.
+    const Vec2 cell = (Vec2(i % columns, i / columns) + sampler.next2d()) * (size / columns);
+    const auto clear = [](float x) {
+      return x < size / 2 ? 0.3f + 0.94f * x : size / 2 + 0.4f + 0.93f * (x - size / 2);
+    };
+    const float watts = 0.2f * std::pow(100.0f, sampler.next1d());
+    const Vec3 p{clear(cell.x), height - 0.2f - 0.6f * sampler.next1d(), clear(cell.y)};
+    constexpr float r = 0.01f;
+    if (i % 4 == 0)
+      add(scene, Sphere{p, r}, dark, grey(watts / (4 * sqr(pi * r))));
+    else if (i % 4 == 1)
+      add(scene, Rectangle{p, {2 * r, 0, 0}, {0, 0, 2 * r}}, dark, grey(watts / (4 * sqr(r) * pi)));
+    else if (i % 4 == 2)
+      scene.lights.emplace_back(PointLight{p, grey(watts / (4 * pi))});
+    else
+      scene.lights.emplace_back(SpotLight{p, {p.x, 0, p.z}, grey(watts), 40, 10});
+  }
+  scene.camera.position = {1, 1.7f, 1};
+  scene.camera.look_at = {8, 1.2f, 8};
+  scene.camera.fov = 75;
   return scene;
 }
 

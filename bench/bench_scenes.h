@@ -17,4 +17,7 @@ SceneDescription textured_room();
 // A thousand instances of one shape of a hundred thousand triangles, under an area light and a constant sky.
 SceneDescription instanced_field();
 
+// A hall of four rooms under ten thousand small lights: spheres, panels, points and spots, with powers over two decades.
+SceneDescription hall_of_lights();
+
 }  // namespace umbral::bench

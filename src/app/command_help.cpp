@@ -12,6 +12,7 @@
 #include "core/names.h"
 #include "integrators/registry.h"
 #include "scene/description.h"
+#include "scene/lights/sky.h"
 #include "scene/settings.h"
 
 namespace umbral {
@@ -84,6 +85,8 @@ std::vector<Topic> all_topics() {
   add_kinds<LightKinds>("light", topics);
   EnvironmentLight environment;
   topics.push_back(topic_of("light", environment));
+  SkyLight sky;
+  topics.push_back(topic_of("light", sky));
   return topics;
 }
 

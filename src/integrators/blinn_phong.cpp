@@ -67,7 +67,7 @@ Spectrum BlinnPhongIntegrator::radiance(const Scene& scene, const Ray& ray, Samp
     for (std::size_t i = 0; i < scene.light_count(); ++i) {
       const Vec2 u = sampler.next2d();
       const std::optional<LightSample> light =
-          scene.sample_light(static_cast<LightId>(i), point.surface.p, u);
+          scene.sample_light(static_cast<LightId>(i), LightReceiver{point.surface.p, point.surface.ng}, u);
       if (!light) continue;
       const Terms terms = shade(scene, point, *light);
       if (diffuse) ld += terms.diffuse;

@@ -24,8 +24,9 @@ float survival_probability(const Spectrum& throughput) {
 
 // How the path came to where it is: what multiple importance sampling needs to know of the last bounce.
 struct Arrival {
-  float pdf = 0;      // of the direction, per solid angle
-  bool delta = true;  // no light sample could have come this way: from the camera, or off a mirror
+  float pdf = 0;         // of the direction, per solid angle
+  bool delta = true;     // no light sample could have come this way: from the camera, or off a mirror
+  LightReceiver from{};  // the vertex before
 };
 
 float light_weight(Strategy strategy, float light_pdf, float bsdf_pdf, bool delta) {
@@ -39,18 +40,21 @@ float bsdf_weight(Strategy strategy, float bsdf_pdf, float light_pdf) {
 }
 
 // Light that one sample of one light brings to a vertex, before the path's throughput; wo is local.
-Spectrum direct(Strategy strategy, const Scene& scene, const Surface& surface, const Lobes& lobe,
+Spectrum direct(const PathIntegrator& settings, const Scene& scene, const Surface& surface, const Lobes& lobe,
                 const Vec3& wo, Sampler& sampler) {
   const Vec2 u = sampler.next2d();
-  const Scene::LightChoice choice = scene.choose_light(scene.light_count() > 1 ? sampler.next1d() : 0.0f);
-  const std::optional<LightSample> sample = scene.sample_light(choice.light, surface.p, u);
+  const LightReceiver receiver{surface.p, surface.ng};
+  const float u_light = scene.light_count() > 1 ? sampler.next1d() : 0.0f;
+  const LightChoice choice = scene.choose_light(settings.light_choice, receiver, u_light);
+  if (choice.light == LightId::none) return black;
+  const std::optional<LightSample> sample = scene.sample_light(choice.light, receiver, u);
   if (!sample) return black;
   const Vec3 wi = surface.shading.to_local(sample->wi);
   if (!sides_agree(surface, sample->wi, wi)) return black;
   const Spectrum f_cos = umbral::f_cos(lobe, wo, wi);
   if (is_black(f_cos)) return black;
   const float light_pdf = choice.probability * sample->pdf;
-  const float weight = light_weight(strategy, light_pdf, umbral::pdf(lobe, wo, wi), sample->delta);
+  const float weight = light_weight(settings.strategy, light_pdf, umbral::pdf(lobe, wo, wi), sample->delta);
   if (weight == 0 || is_black(sample->radiance)) return black;
   if (scene.occluded(Scene::shadow_ray(surface, *sample))) return black;
   return f_cos * sample->radiance * (weight / light_pdf);
@@ -80,7 +84,9 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     if (!hit) {
       if (!scene.has_environment()) break;
       const float weight =
-          arrival.delta ? 1 : bsdf_weight(strategy, arrival.pdf, scene.environment_pdf(ray.d));
+          arrival.delta
+              ? 1
+              : bsdf_weight(strategy, arrival.pdf, scene.environment_pdf(light_choice, arrival.from, ray.d));
       if (weight > 0) add(throughput * scene.background(ray.d) * weight, bounces);
       break;
     }
@@ -88,7 +94,9 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const Surface surface = scene.surface(ray, *hit);
     if (surface.light != LightId::none) {
       const float weight =
-          arrival.delta ? 1 : bsdf_weight(strategy, arrival.pdf, scene.light_pdf(surface, ray.d, hit->t));
+          arrival.delta ? 1
+                        : bsdf_weight(strategy, arrival.pdf,
+                                      scene.light_pdf(light_choice, arrival.from, surface, *hit, ray.d));
       if (weight > 0) add(throughput * scene.emitted(surface, -ray.d) * weight, bounces);
     }
     if (max_depth > 0 && bounces == max_depth) break;
@@ -96,7 +104,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const Lobes lobe = scene.bsdf(surface);
     const Vec3 wo = surface.shading.to_local(-ray.d);
     if (scene.light_count() > 0 && !only_delta(lobe))
-      add(throughput * direct(strategy, scene, surface, lobe, wo, sampler), bounces + 1);
+      add(throughput * direct(*this, scene, surface, lobe, wo, sampler), bounces + 1);
 
     const Vec2 u = sampler.next2d();
     const float u_lobe = has_choice(lobe) ? sampler.next1d() : 0.0f;
@@ -111,7 +119,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
       if (sampler.next1d() >= survival) break;
       throughput /= survival;
     }
-    arrival = {sample->pdf, sample->delta};
+    arrival = {sample->pdf, sample->delta, {surface.p, surface.ng}};
     ray.o = surface.origin_towards(wi);
     ray.d = wi;
   }

@@ -25,6 +25,7 @@ class PathIntegrator : public Integrator {
   int max_depth = 0;
   Strategy strategy = Strategy::mis;
   int roulette_depth = 3;
+  LightSelection light_choice = LightSelection::tree;
 
   static constexpr const char* kind = "path";
   static constexpr const char* doc = "global illumination: unbiased path tracing";
@@ -34,7 +35,9 @@ class PathIntegrator : public Integrator {
           Range{0, 1 << 20}),
       parameter<&PathIntegrator::strategy>("strategy", "how light is found"),
       parameter<&PathIntegrator::roulette_depth>(
-          "roulette_depth", "bounces before Russian roulette may end a path", Range{0, 1 << 20})};
+          "roulette_depth", "bounces before Russian roulette may end a path", Range{0, 1 << 20}),
+      parameter<&PathIntegrator::light_choice>(
+          "light_choice", "which light a vertex asks: by a light tree, by power, or all alike")};
 
   void describe(ParameterVisitor& visitor) override;
   std::vector<std::string> layers() const override { return {"emission", "direct", "indirect"}; }

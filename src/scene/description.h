@@ -9,6 +9,7 @@
 #include "scene/camera.h"
 #include "scene/lights/distant.h"
 #include "scene/lights/environment.h"
+#include "scene/lights/goniometric.h"
 #include "scene/lights/point.h"
 #include "scene/lights/spot.h"
 #include "scene/material.h"
@@ -19,7 +20,7 @@ namespace umbral {
 
 // The closed list of lights that are no shapes (those shine by their emission) and not the environment, of which
 // there is one at most. A new one is its own file and one line here.
-using LightKinds = std::variant<PointLight, SpotLight, DistantLight>;
+using LightKinds = std::variant<PointLight, SpotLight, DistantLight, GoniometricLight>;
 
 // Shapes that may stand in many places.
 struct Object {

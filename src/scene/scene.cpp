@@ -1,7 +1,6 @@
 // Building a scene and asking its lights.
 #include "scene/scene.h"
 
-#include <numeric>
 #include <set>
 
 namespace umbral {
@@ -24,56 +23,47 @@ Scene::Scene(SceneDescription description)
     lights_.emplace_back(std::move(*description.environment));
     environment_ = &std::get<EnvironmentLight>(lights_.back());
   }
-  std::vector<double> powers;
-  for (const Light& light : lights_) powers.push_back(power(light));
-  // A share is dealt to all lights alike: a lamp's power may be as nothing against the sun's, over all the scene, and
-  // the lamp be the brightest light where it stands.
-  const double mean = std::accumulate(powers.begin(), powers.end(), 0.0) / static_cast<double>(powers.size());
-  for (double& weight : powers)
-    if (weight > 0) weight += 0.1 * mean;
-  light_choice_ = Distribution1D(powers);
+  std::vector<LightFacts> lights;
+  for (const Light& light : lights_) lights.push_back(facts(light));
+  light_chooser_ = LightChooser(lights);
 }
 
-double Scene::power(const Light& light) const {
+LightFacts Scene::facts(const Light& light) const {
   return std::visit(
-      [&](const auto& kind) {
-        if constexpr (requires { kind.power(1.0); })
-          return kind.power(std::max(static_cast<double>(radius_), 1e-30));
+      [&](const auto& kind) -> LightFacts {
+        if constexpr (requires { kind.bounds(); })
+          return {kind.power(), kind.bounds()};
         else
-          return kind.power();
+          return {kind.power(std::max(static_cast<double>(radius_), 1e-30)), std::nullopt};
       },
       light);
 }
 
-Scene::LightChoice Scene::choose_light(float u) const {
-  if (lights_.empty()) return {LightId::none, 0};
-  if (lights_.size() == 1) return {static_cast<LightId>(0), 1};
-  const Distribution1D::Draw draw = light_choice_.sample(u);
-  return {static_cast<LightId>(draw.index), draw.probability};
-}
-
-std::optional<LightSample> Scene::sample_light(LightId light, const Vec3& p, const Vec2& u) const {
+std::optional<LightSample> Scene::sample_light(LightId light, const LightReceiver& receiver,
+                                               const Vec2& u) const {
   return std::visit(
       [&](const auto& kind) {
-        if constexpr (requires { kind.sample(p, u); })
-          return kind.sample(p, u);
+        if constexpr (requires { kind.sample(receiver, u); })
+          return kind.sample(receiver, u);
         else if constexpr (requires { kind.sample(u); })
           return kind.sample(u);
         else
-          return kind.sample(p);
+          return kind.sample(receiver.p);
       },
       lights_[index_of(light)]);
 }
 
-float Scene::light_pdf(const Surface& surface, const Vec3& wi, float distance) const {
+float Scene::light_pdf(LightSelection selection, const LightReceiver& receiver, const Surface& surface,
+                       const Hit& hit, const Vec3& wi) const {
   if (surface.light == LightId::none) return 0;
-  return light_choice_.probability(index_of(surface.light)) *
-         area_light(surface.light).pdf(surface, wi, distance);
+  return light_chooser_.probability(selection, receiver, surface.light) *
+         area_light(surface.light).pdf(receiver, surface, hit, wi);
 }
 
-float Scene::environment_pdf(const Vec3& wi) const {
+float Scene::environment_pdf(LightSelection selection, const LightReceiver& receiver, const Vec3& wi) const {
   if (!environment_) return 0;
-  return light_choice_.probability(lights_.size() - 1) * environment_->pdf(wi);
+  return light_chooser_.probability(selection, receiver, static_cast<LightId>(lights_.size() - 1)) *
+         environment_->pdf(wi);
 }
 
 Ray Scene::shadow_ray(const Surface& surface, const LightSample& sample) {
@@ -90,6 +80,7 @@ std::vector<std::string> Scene::features() const {
   if (!geometry_.instances.empty()) names.insert("instances");
   if (!geometry_.analytics.empty()) names.insert("analytic shapes");
   if (environment_) names.insert("environment");
+  if (light_chooser_.has_tree()) names.insert("light tree");
   for (const Material& material : materials_) {
     if (!material.is_opaque()) names.insert("alpha");
     names.insert(std::visit([](const auto& lobe) { return std::string(lobe.kind); }, material.lobe));

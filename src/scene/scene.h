@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/distribution.h"
 #include "scene/accel.h"
 #include "scene/description.h"
 #include "scene/lights/lights.h"
@@ -44,20 +43,22 @@ class Scene {
   std::size_t light_count() const { return lights_.size(); }
   bool has_environment() const { return environment_ != nullptr; }
 
-  // One light, chosen in proportion to its power by u in [0, 1); none where there are no lights.
-  struct LightChoice {
-    LightId light;
-    float probability;
-  };
-  LightChoice choose_light(float u) const;
+  // One light for the receiver, by u in [0, 1); none where there are no lights, or none can shine there.
+  LightChoice choose_light(LightSelection selection, const LightReceiver& receiver, float u) const {
+    return light_chooser_.choose(selection, receiver, u);
+  }
 
-  // A direction from `p` towards that light; none where it cannot shine on p.
-  std::optional<LightSample> sample_light(LightId light, const Vec3& p, const Vec2& u) const;
+  // A direction from the receiver towards that light; none where it cannot shine there.
+  std::optional<LightSample> sample_light(LightId light, const LightReceiver& receiver, const Vec2& u) const;
+  std::optional<LightSample> sample_light(LightId light, const Vec3& p, const Vec2& u) const {
+    return sample_light(light, LightReceiver{p}, u);
+  }
 
-  // The density, per solid angle, with which choose_light() and sample_light() together draw the direction `wi`
-  // that met `surface` (or the environment) from `distance` away. 0 where it is no light.
-  float light_pdf(const Surface& surface, const Vec3& wi, float distance) const;
-  float environment_pdf(const Vec3& wi) const;
+  // The density, per solid angle, with which choose_light() and sample_light() together draw for the receiver the
+  // direction `wi` that met `surface` by `hit` (or the environment). 0 where it is no light.
+  float light_pdf(LightSelection selection, const LightReceiver& receiver, const Surface& surface,
+                  const Hit& hit, const Vec3& wi) const;
+  float environment_pdf(LightSelection selection, const LightReceiver& receiver, const Vec3& wi) const;
 
   // From `surface` to the sample; occluded() tells whether it arrives.
   static Ray shadow_ray(const Surface& surface, const LightSample& sample);
@@ -69,7 +70,7 @@ class Scene {
 
  private:
   const AreaLight& area_light(LightId light) const { return std::get<AreaLight>(lights_[index_of(light)]); }
-  double power(const Light& light) const;
+  LightFacts facts(const Light& light) const;
 
   CameraSettings camera_;
   std::vector<Texture> textures_;
@@ -78,7 +79,7 @@ class Scene {
   std::unique_ptr<Accel> accel_;
   std::vector<Light> lights_;                      // first the area lights, numbered as their emitters are
   const EnvironmentLight* environment_ = nullptr;  // in lights_
-  Distribution1D light_choice_;
+  LightChooser light_chooser_;
   float radius_ = 0;
 };
 

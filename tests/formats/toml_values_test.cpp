@@ -19,6 +19,7 @@ constexpr const char* environment = "[[lights]]\ntype = \"environment\"\n";
 struct FolderWithFiles : SceneFolder {
   FolderWithFiles() {
     write("texture.tga", test::tga(2, 2, 0, 0, 0, 255));
+    write("lamp.tga", test::tga(2, 2, 200, 150, 100, 255));
     write("triangle.ply", triangle_ply);
   }
 };
@@ -54,8 +55,8 @@ TEST(TomlValues, ShapesOfEveryKind) {
 TEST(TomlValues, LightsOfEveryKind) {
   for_each_kind<LightKinds>([](auto&& start) {
     using Kind = std::decay_t<decltype(start)>;
-    const SceneFolder folder;
-    const Filled<Kind> light(start);
+    const FolderWithFiles folder;
+    const Filled<Kind> light(start, "lamp.tga");
     const SceneFile file = folder.read_toml(std::string("[[lights]]\ntype = \"") + Kind::kind + "\"\n" +
                                             light.toml + environment);
     ASSERT_EQ(file.scene.lights.size(), 1u) << Kind::kind;
@@ -65,7 +66,7 @@ TEST(TomlValues, LightsOfEveryKind) {
 
 TEST(TomlValues, Environment) {
   const FolderWithFiles folder;
-  const Filled<EnvironmentLight> light({}, "texture.tga");
+  const Filled<EnvironmentLight> light({}, "lamp.tga");
   const SceneFile file = folder.read_toml(environment + light.toml);
   ASSERT_TRUE(file.scene.environment);
   EXPECT_EQ(dump(*file.scene.environment), dump(light.value));

@@ -83,12 +83,46 @@ TEST(RouletteAgreement, OnIsOff) {
                         SmallRender{scene, off, SamplerKind::sobol, 256}, coarse()));
 }
 
+// Lights of every kind, near and far, strong and weak, two-sided and instanced.
+SceneDescription lit_studio() {
+  SceneDescription scene = studio();
+  const MaterialId lamp = add_matte(scene, black);
+  scene.lights.emplace_back(PointLight{{1.2f, -1.5f, 1.9f}, rgb(0.6f, 0.4f, 0.2f)});
+  scene.lights.emplace_back(SpotLight{{0, -2, 2.2f}, {0, 0, 0}, rgb(3, 3, 1), 40, 20});
+  scene.lights.emplace_back(DistantLight{{0.3f, 0.4f, -1}, grey(0.2f)});
+  for (int i = 0; i < 12; ++i)
+    add_shape(scene, sphere({-1.5f + 0.27f * static_cast<float>(i), 1.2f, 0.3f}, 0.05f), lamp,
+              rgb(3, 0.3f * static_cast<float>(i), 1));
+  add_shape(scene, rectangle({1.6f, -1, 0.4f}, {0, 0.5f, 0}, {0, 0, 0.8f}), lamp, rgb(1, 2, 3)).two_sided =
+      true;
+  add_shape(scene,
+            polygon({{-1.8f, -1.5f, 0.2f}, {-1.2f, -1.7f, 0.3f}, {-1.1f, -1.2f, 0.9f}, {-1.7f, -1, 0.8f}}),
+            lamp, rgb(4, 1, 2))
+      .two_sided = true;
+  return scene;
+}
+
+TEST(LightChoiceAgreement, TreeIsUniformIsPower) {
+  const Scene scene(lit_studio());
+  PathIntegrator tree, power, uniform;
+  power.light_choice = LightSelection::power;
+  uniform.light_choice = LightSelection::uniform;
+  const auto by = [&](PathIntegrator& path, int spp) {
+    return SmallRender{scene, path, SamplerKind::sobol, spp};
+  };
+  const RenderReplicate by_tree = remembered(by(tree, 384));
+  GateSettings half = coarse();
+  half.alpha /= 2;
+  EXPECT_TRUE(same_mean(by_tree, by(uniform, 768), half));
+  EXPECT_TRUE(same_mean(by_tree, by(power, 768), half));
+}
+
 // The local model by the physical convention is the path tracer cut at one bounce. It looks at every light, the
 // path tracer at one of them.
 TEST(LocalModelAgreement, PhysicalIsOneBounce) {
   SceneDescription description = studio();
-  description.lights.push_back(PointLight{{1.5f, -1, 1.5f}, rgb(3, 2, 4)});
-  description.lights.push_back(SpotLight{{0, -2, 2}, {0, 0, 0}, rgb(5, 5, 2), 40, 20});
+  description.lights.emplace_back(PointLight{{1.5f, -1, 1.5f}, rgb(3, 2, 4)});
+  description.lights.emplace_back(SpotLight{{0, -2, 2}, {0, 0, 0}, rgb(5, 5, 2), 40, 20});
   const Scene scene(std::move(description));
   PathIntegrator path;
   path.max_depth = 1;

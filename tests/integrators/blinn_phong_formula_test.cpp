@@ -30,9 +30,10 @@ class ClassicFormula : public testing::Test {
     add_shape(scene, sphere({0, 0, 0.5f}, 0.5f), material);
     add_shape(scene, rectangle({-4, -4, 0}, {8, 0, 0}, {0, 8, 0}), material);
     add_shape(scene, rectangle({-0.2f, -0.4f, 1.3f}, {0.7f, 0, 0}, {0, 0.6f, 0}), material);
-    scene.lights = {PointLight{Vec3(point_at), Spectrum(Vec3(point_intensity), 0)},
-                    SpotLight{Vec3(spot_at), Vec3(spot_to), Spectrum(Vec3(spot_intensity), 0), cone, edge},
-                    DistantLight{Vec3(distant_direction), Spectrum(Vec3(distant_irradiance), 0)}};
+    scene.lights.emplace_back(PointLight{Vec3(point_at), Spectrum(Vec3(point_intensity), 0)});
+    scene.lights.emplace_back(
+        SpotLight{Vec3(spot_at), Vec3(spot_to), Spectrum(Vec3(spot_intensity), 0), cone, edge});
+    scene.lights.emplace_back(DistantLight{Vec3(distant_direction), Spectrum(Vec3(distant_irradiance), 0)});
     return scene;
   }
 

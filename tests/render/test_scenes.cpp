@@ -8,9 +8,10 @@ namespace {
 
 void add_lights(SceneDescription& scene, float scale) {
   const float s2 = scale * scale;
-  scene.lights = {PointLight{scale * Vec3{1.5f, -1, 2}, rgb(2, 3, 4) * s2},
-                  SpotLight{scale * Vec3{-1, -2, 2}, scale * Vec3{0, 0, 0.4f}, rgb(5, 4, 3) * s2, 40, 20},
-                  DistantLight{{0.4f, 0.5f, -1}, rgb(0.5f, 0.4f, 0.3f)}};
+  scene.lights.emplace_back(PointLight{scale * Vec3{1.5f, -1, 2}, rgb(2, 3, 4) * s2});
+  scene.lights.emplace_back(
+      SpotLight{scale * Vec3{-1, -2, 2}, scale * Vec3{0, 0, 0.4f}, rgb(5, 4, 3) * s2, 40, 20});
+  scene.lights.emplace_back(DistantLight{{0.4f, 0.5f, -1}, rgb(0.5f, 0.4f, 0.3f)});
   scene.environment.emplace();
   scene.environment->image = TestImage(16, 8, 0.1, 1, 9).texture_image();
   scene.environment->prepare();

@@ -214,7 +214,7 @@ TEST(Accel, BearsAnEmptyWorldAndEmptyObjects) {
   EXPECT_FALSE(scene.occluded({{0, 0, 0}, {0, 0, 1}}));
   EXPECT_EQ(scene.radius(), 0);
   EXPECT_EQ(scene.light_count(), 0u);
-  EXPECT_EQ(scene.choose_light(0.5f).light, LightId::none);
+  EXPECT_EQ(scene.choose_light(LightSelection::power, {}, 0.5f).light, LightId::none);
 }
 
 // The same world 2^k times as large, seen from 2^k as far, is the same to the last bit.

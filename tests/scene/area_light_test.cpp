@@ -204,13 +204,13 @@ TEST(AreaLight, TellsTheDensityOfItsOwnSamples) {
       SceneDescription description = world_of(shape.kind, place, i % 2 == 1, grey(2));
       description.lights.emplace_back(PointLight{{0, 0, 100}, grey(30)});
       const Scene scene(std::move(description));
-      const double choice = scene.choose_light(0).probability;
-      ASSERT_EQ(scene.choose_light(0).light, light);
+      const double choice = scene.choose_light(LightSelection::power, {}, 0).probability;
+      ASSERT_EQ(scene.choose_light(LightSelection::power, {}, 0).light, light);
       EXPECT_TRUE(choice > 0.03 && choice < 0.97) << choice;
       int compared = 0;
       for (int k = 0; k < 1000; ++k) {
         const Vec3 p(place.point(2.5 * glm::normalize(Vec3d(0, 0, 1) + 0.7 * random.direction())));
-        const auto sample = scene.sample_light(light, p, random.square());
+        const auto sample = scene.sample_light(light, LightReceiver{p, {0, 0, 1}}, random.square());
         if (!sample) continue;
         const Ray ray{p, sample->wi};
         const auto hit = scene.intersect(ray);
@@ -220,15 +220,15 @@ TEST(AreaLight, TellsTheDensityOfItsOwnSamples) {
         if (std::abs(dot(surface.ng, sample->wi)) < 0.02f)
           continue;  // the cosine itself has few digits there
         ++compared;
-        const double pdf = scene.light_pdf(surface, sample->wi, hit->t);
+        const double pdf = scene.light_pdf(LightSelection::power, {p, {0, 0, 1}}, surface, *hit, sample->wi);
         EXPECT_NEAR(pdf / (choice * sample->pdf), 1, 2e-3);
       }
       EXPECT_GT(compared, 150);
     }
 }
 
-// Samples of a floor of triangles of many sizes fall on each by its area.
-TEST(AreaLight, ChoosesTrianglesByTheirArea) {
+// Samples of a floor of triangles of many sizes fall on each by its area, where it is instanced.
+TEST(AreaLight, ChoosesTrianglesOfAnInstanceByTheirArea) {
   Random random(7);
   Mesh floor;
   double x = 0;
@@ -244,7 +244,7 @@ TEST(AreaLight, ChoosesTrianglesByTheirArea) {
     x += width;
   }
   for (double& share : expected) share *= draws / x;
-  const Scene scene = shining(floor);
+  const Scene scene = shining(floor, {}, true);
   std::vector<double> observed(expected.size());
   const Vec3 p(Vec3d(x / 2, 0, x));
   for (int i = 0; i < draws; ++i) {
@@ -299,7 +299,9 @@ TEST(AreaLight, ShinesOnlyFromItsOuterSideUnlessTwoSided) {
       const bool is_lit = z > 0 || two_sided;
       EXPECT_EQ(scene.sample_light(light, p, {0.3f, 0.4f}).has_value(), is_lit);
       EXPECT_EQ(scene.emitted(surface, -ray.d), is_lit ? grey(3) : black);
-      EXPECT_EQ(scene.light_pdf(surface, ray.d, 2) > 0, is_lit);
+      EXPECT_EQ(
+          scene.light_pdf(LightSelection::power, {p, {0, 0, 1}}, surface, *scene.intersect(ray), ray.d) > 0,
+          is_lit);
     }
     EXPECT_FALSE(scene.sample_light(light, {3, 0, 0}, {0.3f, 0.4f})) << "edge-on";
   }
@@ -312,7 +314,8 @@ TEST(AreaLight, HasNoDensityOfWhatIsNoLight) {
   const Ray ray{{0, 0, 5}, {0, 0, -1}};
   const Surface surface = *seen(scene, ray);
   EXPECT_EQ(surface.light, LightId::none);
-  EXPECT_EQ(scene.light_pdf(surface, ray.d, 4), 0);
+  EXPECT_EQ(scene.light_pdf(LightSelection::power, {ray.o, {0, 0, 1}}, surface, *scene.intersect(ray), ray.d),
+            0);
   EXPECT_TRUE(is_black(scene.emitted(surface, {0, 0, 1})));
 }
 

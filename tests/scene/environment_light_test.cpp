@@ -86,6 +86,21 @@ TEST(Environment, MultipliesTheImageByItsRadiance) {
   EXPECT_EQ(constant.emitted({0.6f, 0.8f, 0}), rgb(1, 2, 3));
 }
 
+TEST(Environment, ExposureIsInStops) {
+  EnvironmentLight light = environment_of(2, 1, [](int, int) { return Spectrum(2, 3, 4, 1); });
+  light.exposure = -2;
+  light.prepare();
+  EXPECT_EQ(light.emitted({0, 0, -1}), rgb(0.5f, 0.75f, 1));
+  EXPECT_EQ(light.sample({0.4f, 0.4f})->radiance, rgb(0.5f, 0.75f, 1));
+  EnvironmentLight constant;
+  constant.radiance = grey(3);
+  constant.exposure = 1;
+  constant.prepare();
+  EXPECT_EQ(constant.emitted({0, 1, 0}), grey(6));
+  EXPECT_EQ(constant.sample({0.3f, 0.4f})->radiance, grey(6));
+  EXPECT_NEAR(constant.power(2) / (4 * pi_d * pi_d * 4 * 6), 1, 1e-6);
+}
+
 TEST(Environment, OfOneColourIsSampledEvenly) {
   const EnvironmentLight light = constant_environment(rgb(1, 2, 3));
   double z = 0, z2 = 0;

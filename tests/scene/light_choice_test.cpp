@@ -27,7 +27,7 @@ std::vector<double> probabilities(const Scene& scene) {
   std::vector<double> told(scene.light_count(), -1), found(scene.light_count());
   constexpr int steps = 1 << 16;
   for (int i = 0; i < steps; ++i) {
-    const auto choice = scene.choose_light((static_cast<float>(i) + 0.5f) / steps);
+    const auto choice = scene.choose_light(LightSelection::power, {}, (static_cast<float>(i) + 0.5f) / steps);
     double& probability = told[index_of(choice.light)];
     EXPECT_TRUE(probability < 0 || probability == choice.probability);
     probability = choice.probability;
@@ -62,8 +62,8 @@ TEST(LightChoice, OfOneLightIsSure) {
   SceneDescription description = world_of(sphere({0, 0, 0}, 1), {}, false, grey(1));
   const Scene scene(std::move(description));
   for (const float u : {0.0f, 0.5f, one_minus_epsilon}) {
-    EXPECT_EQ(scene.choose_light(u).light, static_cast<LightId>(0));
-    EXPECT_EQ(scene.choose_light(u).probability, 1);
+    EXPECT_EQ(scene.choose_light(LightSelection::power, {}, u).light, static_cast<LightId>(0));
+    EXPECT_EQ(scene.choose_light(LightSelection::power, {}, u).probability, 1);
   }
 }
 
@@ -74,7 +74,7 @@ TEST(LightChoice, LeavesOutLightsThatAreBlack) {
   description.lights.emplace_back(DistantLight{{0, -1, 0}, black});
   const Scene scene(std::move(description));
   for (int i = 0; i < 1000; ++i) {
-    const auto choice = scene.choose_light(static_cast<float>(i) / 1000);
+    const auto choice = scene.choose_light(LightSelection::power, {}, static_cast<float>(i) / 1000);
     EXPECT_EQ(choice.light, static_cast<LightId>(1));
     EXPECT_EQ(choice.probability, 1);
   }
@@ -123,11 +123,12 @@ TEST(LightChoice, GivesTheEnvironmentItsShareOfTheDensity) {
   const std::vector<double> p = probabilities(scene);
   Random random(1);
   for (int i = 0; i < 100; ++i)
-    EXPECT_NEAR(scene.environment_pdf(Vec3(random.direction())), p.back() / (4 * pi_d), 1e-6);
+    EXPECT_NEAR(scene.environment_pdf(LightSelection::power, {}, Vec3(random.direction())),
+                p.back() / (4 * pi_d), 1e-6);
   const auto sample =
       scene.sample_light(static_cast<LightId>(scene.light_count() - 1), {0, 0, 0}, {0.2f, 0.7f});
   ASSERT_TRUE(sample);
-  EXPECT_NEAR(scene.environment_pdf(sample->wi), p.back() * sample->pdf, 1e-6);
+  EXPECT_NEAR(scene.environment_pdf(LightSelection::power, {}, sample->wi), p.back() * sample->pdf, 1e-6);
   EXPECT_EQ(scene.background(sample->wi), sample->radiance);
   EXPECT_TRUE(scene.has_environment());
 }
@@ -136,7 +137,7 @@ TEST(LightChoice, WithoutEnvironmentHasNoBackground) {
   const Scene scene(world_of(sphere({0, 0, 0}, 1), {}, false));
   EXPECT_FALSE(scene.has_environment());
   EXPECT_EQ(scene.background({0, 0, 1}), black);
-  EXPECT_EQ(scene.environment_pdf({0, 0, 1}), 0);
+  EXPECT_EQ(scene.environment_pdf(LightSelection::power, {}, {0, 0, 1}), 0);
 }
 
 TEST(Features, AreThoseThatTheSceneUses) {
@@ -148,8 +149,8 @@ TEST(Features, AreThoseThatTheSceneUses) {
   description.materials[0].alpha.map = map;
   description.objects.push_back({"", {}});
   description.instances.push_back({static_cast<ObjectId>(0), Affine{}});
-  const std::vector<std::string> expected{"alpha",     "analytic shapes", "environment",
-                                          "instances", "matte",           "textures"};
+  const std::vector<std::string> expected{"alpha",      "analytic shapes", "environment", "instances",
+                                          "light tree", "matte",           "textures"};
   EXPECT_EQ(Scene(std::move(description)).features(), expected);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/kinds.h"
 #include "formats/toml/parameter_reader.h"
+#include "scene/lights/sky.h"
 
 namespace umbral::toml_file {
 namespace {
@@ -14,11 +15,34 @@ struct LightFault {
   const char* message;
 };
 
-std::optional<LightFault> fault_of(const LightKinds& light) {
-  if (const auto* distant = std::get_if<DistantLight>(&light); distant && distant->direction == Vec3(0))
-    return LightFault{"direction", "'direction' of 'distant' has no direction"};
-  if (const auto* spot = std::get_if<SpotLight>(&light); spot && spot->position == spot->target)
+std::optional<LightFault> fault_of(const DistantLight& light) {
+  if (light.direction == Vec3(0)) return LightFault{"direction", "'direction' of 'distant' has no direction"};
+  if (is_black(light.irradiance))
+    return LightFault{"irradiance", "'irradiance' of 'distant' is zero: no light"};
+  return std::nullopt;
+}
+
+std::optional<LightFault> fault_of(const PointLight& light) {
+  if (is_black(light.intensity)) return LightFault{"intensity", "'intensity' of 'point' is zero: no light"};
+  return std::nullopt;
+}
+
+std::optional<LightFault> fault_of(const SpotLight& light) {
+  if (light.position == light.target)
     return LightFault{"target", "'target' of 'spot' is its 'position': it has no axis"};
+  if (is_black(light.intensity)) return LightFault{"intensity", "'intensity' of 'spot' is zero: no light"};
+  return std::nullopt;
+}
+
+std::optional<LightFault> fault_of(const GoniometricLight& light) {
+  if (is_black(light.intensity))
+    return LightFault{"intensity", "'intensity' of 'goniometric' is zero: no light"};
+  const Vec3d axis(light.axis), front(light.front);
+  if (axis == Vec3d(0)) return LightFault{"axis", "'axis' of 'goniometric' has no direction"};
+  if (!(glm::length(cross(axis, front)) > 1e-6 * glm::length(axis) * glm::length(front)))
+    return LightFault{"front",
+                      "'front' of 'goniometric' is along its 'axis', or zero: it does not tell a side"};
+  if (light.image && !(light.power() > 0)) return LightFault{"file", "the image is black: no light"};
   return std::nullopt;
 }
 
@@ -33,19 +57,47 @@ void LightReader::read_light(const Value& item, const Value::Table& entries) {
   TableReader table(context_, &entries, "light", context_.place(item));
   std::vector<std::string> kinds = kind_names<LightKinds>();
   kinds.emplace_back(EnvironmentLight::kind);
+  kinds.emplace_back(SkyLight::kind);
   const auto kind = table.find_kind("light", kinds);
   if (!kind) return;
   table.rename(*kind);
   if (*kind == EnvironmentLight::kind) return read_environment(table);
+  if (*kind == SkyLight::kind) return read_sky(table);
   LightKinds light = *make_kind<LightKinds>(*kind);
   ParameterReader parameters(table, nullptr);
   std::visit([&](auto& value) { for_each_parameter(value, parameters); }, light);
   table.finish();
-  if (const auto fault = fault_of(light)) {
+  if (auto* goniometric = std::get_if<GoniometricLight>(&light)) {
+    if (goniometric->file.empty()) return;  // which is reported
+    goniometric->image = image(table, goniometric->file);
+    if (!goniometric->image) return;
+  }
+  if (const auto fault = std::visit([](const auto& value) { return fault_of(value); }, light)) {
     const Value* blamed = table.find(fault->key);
     return context_.diagnostics.error(blamed ? context_.place(*blamed) : table.place(), fault->message);
   }
   builder_.lights.push_back(light);
+}
+
+std::shared_ptr<const TextureImage> LightReader::image(TableReader& table, const std::string& file) {
+  const Place place = context_.place(*table.find("file"));
+  try {
+    return builder_.image((folder_ / file).lexically_normal(), ColorSpace::automatic, place);
+  } catch (const SceneError& error) {
+    context_.diagnostics.error(place, error);
+    return nullptr;
+  }
+}
+
+bool LightReader::claims_environment(const TableReader& table) {
+  if (environment_line_) {
+    context_.diagnostics.error(
+        table.place(),
+        fmt::format("there can be one environment only; another is in line {}", *environment_line_));
+    return false;
+  }
+  environment_line_ = table.place().where.line;
+  return true;
 }
 
 void LightReader::read_environment(TableReader& table) {
@@ -53,25 +105,37 @@ void LightReader::read_environment(TableReader& table) {
   ParameterReader parameters(table, nullptr);
   for_each_parameter(light, parameters);
   table.finish();
-  const int line = table.place().where.line;
-  if (environment_line_)
-    return context_.diagnostics.error(
-        table.place(),
-        fmt::format("there can be one environment only; another is in line {}", *environment_line_));
-  environment_line_ = line;
+  if (!claims_environment(table)) return;
   if (table.has("rotation") && !table.has("file"))
     context_.error(*table.find_entry("rotation"),
                    "'rotation' has no effect on an environment without 'file'");
   if (!light.file.empty()) {
-    const Place place = context_.place(*table.find("file"));
-    try {
-      light.image = builder_.image((folder_ / light.file).lexically_normal(), ColorSpace::automatic, place);
-    } catch (const SceneError& error) {
-      context_.diagnostics.error(place, error);
-    }
+    light.image = image(table, light.file);
+    if (!light.image) return;
   }
   light.prepare();
+  if (is_black(light.radiance))
+    return context_.diagnostics.error(context_.place(*table.find("radiance")),
+                                      "'radiance' of 'environment' is zero: no light");
+  if (!(light.power(1) > 0))
+    return context_.diagnostics.error(context_.place(*table.find("file")), "the image is black: no light");
   builder_.environment = std::move(light);
+}
+
+void LightReader::read_sky(TableReader& table) {
+  SkyLight light;
+  ParameterReader parameters(table, nullptr);
+  for_each_parameter(light, parameters);
+  table.finish();
+  if (!claims_environment(table)) return;
+  const Value* direction = table.find("sun_direction");
+  if (!(light.sun_direction.y > 0.01f * glm::length(light.sun_direction)))
+    return context_.diagnostics.error(direction ? context_.place(*direction) : table.place(),
+                                      "'sun_direction' of 'sky' is not above the horizon y = 0");
+  if (light.scale == 0)
+    return context_.diagnostics.error(context_.place(*table.find("scale")),
+                                      "'scale' of 'sky' is zero: no light");
+  builder_.environment = light.environment();
 }
 
 }  // namespace umbral::toml_file

@@ -21,6 +21,10 @@ class LightReader {
  private:
   void read_light(const Value& item, const Value::Table& entries);
   void read_environment(TableReader& table);
+  void read_sky(TableReader& table);
+  bool claims_environment(const TableReader& table);
+  // The image of a light's 'file'; none where it could not be read, which is then reported.
+  std::shared_ptr<const TextureImage> image(TableReader& table, const std::string& file);
 
   const Context& context_;
   SceneBuilder& builder_;

@@ -4,6 +4,15 @@
 #include "core/warp.h"
 
 namespace umbral {
+namespace {
+
+// A flat light is large where its middle is nearer than the square root of so many times its area.
+constexpr double near_areas = 4;
+
+// Solid angles that their formulas tell to many digits; beyond, a light is seen edge-on, or is all around.
+bool is_known(double solid_angle) { return solid_angle > 1e-5 && solid_angle < 6.2831; }
+
+}  // namespace
 
 AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std::vector<Material>& materials,
                      const std::vector<Texture>& textures)
@@ -34,11 +43,18 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
     area_ += areas.back();
   }
   inverse_area_ = static_cast<float>(1 / area_);
-  if (!emitter.rectangle) {
-    triangles_ = Distribution1D(areas);
+  if (emitter.rectangle) {
+    prepare_rectangle(*emitter.rectangle);
     return;
   }
-  const Rectangle& r = *emitter.rectangle;
+  triangles_ = Distribution1D(areas);
+  if (emitter.instance != no_index || areas.size() < 2) return;
+  std::vector<LightBounds> bounds;
+  for (std::uint32_t i = 0; i < areas.size(); ++i) bounds.push_back(triangle_bounds(i));
+  triangle_tree_ = LightTree(bounds);
+}
+
+void AreaLight::prepare_rectangle(const Rectangle& r) {
   rectangle_ = {Vec3(world(r.origin)), Vec3(to_world_.vector(Vec3d(r.edge_u))),
                 Vec3(to_world_.vector(Vec3d(r.edge_v)))};
   // Of its triangles: they were turned where a mirror turned the edges.
@@ -50,6 +66,10 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
                                            glm::abs(rectangle_.edge_v))),
                placed_error_);
   rectangle_normal_ = Vec3(glm::normalize(from_world_.transposed(normal)));
+  rectangle_middle_ = rectangle_.origin + (rectangle_.edge_u + rectangle_.edge_v) / 2.0f;
+  const Vec3d u(rectangle_.edge_u), v(rectangle_.edge_v);
+  const bool is_rectangular = std::abs(dot(u, v)) <= 1e-6 * glm::length(u) * glm::length(v);
+  near_distance2_ = is_rectangular ? static_cast<float>(near_areas * area_) : 0;
 }
 
 // A point that an instance has moved is made from the numbers of its object and of the move, large as its own may not
@@ -74,17 +94,19 @@ AreaLight::Point AreaLight::rectangle_point(const Vec2& u) const {
   return {p, rectangle_normal_, rectangle_error_, u, 0};
 }
 
-AreaLight::Point AreaLight::mesh_point(const Vec2& u) const {
-  const Distribution1D::Draw draw = triangles_.sample(u.x);
-  const Vec2 b = square_to_triangle({draw.remainder, u.y});
-  const auto index = static_cast<std::uint32_t>(draw.index);
+AreaLight::Corners AreaLight::corners_of(std::uint32_t triangle) const {
+  const glm::uvec3& t = mesh_->triangles[triangle].vertices;
+  return {world(mesh_->vertices[t.x].p), world(mesh_->vertices[t.y].p), world(mesh_->vertices[t.z].p)};
+}
+
+AreaLight::Point AreaLight::triangle_point(std::uint32_t index, const Vec2& b) const {
   const Triangle& triangle = mesh_->triangles[index];
   const glm::uvec3& t = triangle.vertices;
   const Vec3 &a = mesh_->vertices[t.x].p, &e = mesh_->vertices[t.y].p, &f = mesh_->vertices[t.z].p;
   const Vec3d p = world((1 - b.x - b.y) * a + b.x * e + b.y * f);
   const Vec3d n = cross(Vec3d(e) - Vec3d(a), Vec3d(f) - Vec3d(a));
   return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))),
-          std::max(surface_error(triangle.magnitude), placed_error_), mesh_->uv(index, b), 0};
+          std::max(surface_error(triangle.magnitude), placed_error_), mesh_->uv(index, b)};
 }
 
 AreaLight::Point AreaLight::analytic_point(const Vec2& u) const {
@@ -95,9 +117,122 @@ AreaLight::Point AreaLight::analytic_point(const Vec2& u) const {
 }
 
 AreaLight::Point AreaLight::point(const Vec2& u) const {
-  Point point = analytic_ ? analytic_point(u) : emitter_.rectangle ? rectangle_point(u) : mesh_point(u);
+  Point point;
+  if (analytic_) {
+    point = analytic_point(u);
+  } else if (emitter_.rectangle) {
+    point = rectangle_point(u);
+  } else {
+    const Distribution1D::Draw draw = triangles_.sample(u.x);
+    point = triangle_point(static_cast<std::uint32_t>(draw.index), square_to_triangle({draw.remainder, u.y}));
+  }
   point.pdf = area_pdf(point.n);
   return point;
+}
+
+std::optional<SphereCone> AreaLight::cone_from(const Vec3& p) const {
+  if (!std::holds_alternative<Sphere>(analytic_->shape)) return std::nullopt;
+  const Vec3d canonical = from_world_.point(Vec3d(p));
+  if (!(dot(canonical, canonical) > 1 + 1e-6)) return std::nullopt;
+  return SphereCone(canonical);
+}
+
+// Directions are stretched, too: dω/dω' = |det M⁻¹| / |M⁻¹ ω|³ for a unit vector ω of the world.
+float AreaLight::cone_pdf_along(const SphereCone& cone, const Vec3& wi) const {
+  const double length = glm::length(from_world_.vector(Vec3d(wi)));
+  return static_cast<float>(cone.pdf() * std::abs(from_world_.determinant()) / (length * length * length));
+}
+
+AreaLight::Point AreaLight::sphere_point(const Vec3& p, const SphereCone& cone, const Vec2& u) const {
+  const Vec3d n = cone.sample(u);
+  const Vec3d q = to_world_.point(n);
+  Vec2 uv{0, 0};
+  if (!emitter_.emission.is_constant() || !opacity_.is_constant())
+    uv = Vec2(std::get<Sphere>(analytic_->shape).nearest(n).uv);
+  return {Vec3(q),
+          Vec3(glm::normalize(from_world_.transposed(n))),
+          std::max(surface_error(max_component(Vec3(glm::abs(q)))), placed_error_),
+          uv,
+          cone_pdf_along(cone, Vec3(glm::normalize(q - Vec3d(p)))),
+          true};
+}
+
+std::optional<SphericalRectangle> AreaLight::rectangle_from(const Vec3& p) const {
+  const Vec3 way = p - rectangle_middle_;
+  if (!(dot(way, way) < near_distance2_)) return std::nullopt;
+  const Vec3d u(rectangle_.edge_u), v(rectangle_.edge_v);
+  const glm::dvec2 length(glm::length(u), glm::length(v));
+  const SphericalRectangle seen(Vec3d(p), Vec3d(rectangle_.origin), u / length.x, v / length.y, length);
+  return is_known(seen.solid_angle()) ? std::optional(seen) : std::nullopt;
+}
+
+std::optional<SphericalTriangle> AreaLight::triangle_from(const Vec3& p, const Corners& t) {
+  const Vec3d way = (t.a + t.b + t.c) / 3.0 - Vec3d(p);
+  if (!(dot(way, way) < near_areas * t.area())) return std::nullopt;
+  const SphericalTriangle seen(Vec3d(p), t.a, t.b, t.c);
+  return is_known(seen.solid_angle()) ? std::optional(seen) : std::nullopt;
+}
+
+AreaLight::Point AreaLight::mesh_point(const LightReceiver& receiver, const Vec2& u) const {
+  std::uint32_t index = 0;
+  Vec2 square = u;
+  float probability = 1;
+  if (triangle_tree_.empty()) {
+    const Distribution1D::Draw draw = triangles_.sample(u.x);
+    index = static_cast<std::uint32_t>(draw.index);
+    square.x = draw.remainder;
+    probability = draw.probability;
+  } else {
+    const auto choice = triangle_tree_.choose(receiver, u.x);
+    if (!choice) return {};
+    index = choice->light;
+    square.x = choice->remainder;
+    probability = choice->probability;
+  }
+  const Corners corners = corners_of(index);
+  if (const auto seen = triangle_from(receiver.p, corners)) {
+    // Where the direction meets the plane, as weights of b and c.
+    const Vec3d w = seen->sample(square), ab = corners.b - corners.a, ac = corners.c - corners.a;
+    const Vec3d from_a = Vec3d(receiver.p) - corners.a, h = cross(w, ac);
+    const double below = dot(ab, h);
+    const double b = std::clamp(dot(from_a, h) / below, 0.0, 1.0);
+    const double c = std::clamp(dot(w, cross(from_a, ab)) / below, 0.0, 1 - b);
+    Point point = triangle_point(index, Vec2(glm::dvec2(b, c)));
+    point.pdf = static_cast<float>(static_cast<double>(probability) / seen->solid_angle());
+    point.by_solid_angle = true;
+    return point;
+  }
+  Point point = triangle_point(index, square_to_triangle(square));
+  point.pdf = triangle_tree_.empty() ? inverse_area_
+                                     : static_cast<float>(static_cast<double>(probability) / corners.area());
+  return point;
+}
+
+float AreaLight::mesh_pdf(const LightReceiver& receiver, const Hit& hit, float area_to_angle) const {
+  const bool by_area = triangle_tree_.empty();
+  const Corners corners = corners_of(hit.primitive);
+  const auto seen = triangle_from(receiver.p, corners);
+  if (by_area && !seen) return inverse_area_ * area_to_angle;
+  const double probability = static_cast<double>(
+      by_area ? triangles_.probability(hit.primitive) : triangle_tree_.probability(receiver, hit.primitive));
+  return static_cast<float>(
+      probability * (seen ? 1 / seen->solid_angle() : static_cast<double>(area_to_angle) / corners.area()));
+}
+
+AreaLight::Point AreaLight::point_for(const LightReceiver& receiver, const Vec2& u) const {
+  if (emitter_.rectangle) {
+    if (const auto seen = rectangle_from(receiver.p)) {
+      Point point = rectangle_point(Vec2(seen->sample(u)));
+      point.pdf = static_cast<float>(1 / seen->solid_angle());
+      point.by_solid_angle = true;
+      return point;
+    }
+  } else if (!analytic_) {
+    return mesh_point(receiver, u);
+  } else if (const auto cone = cone_from(receiver.p)) {
+    return sphere_point(receiver.p, *cone, u);
+  }
+  return point(u);
 }
 
 float AreaLight::area_pdf(const Vec3& n) const {
@@ -107,17 +242,17 @@ float AreaLight::area_pdf(const Vec3& n) const {
   return static_cast<float>(1 / (area_ * area_stretch(to_world_, from_world_, canonical)));
 }
 
-std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const {
+std::optional<LightSample> AreaLight::sample(const LightReceiver& receiver, const Vec2& u) const {
   std::optional<LightSample>
       result;  // built in place: a copy of what was just stored piece by piece would stall
-  const Point q = point(u);
-  const Vec3 to_light = q.p - p;
+  const Point q = point_for(receiver, u);
+  const Vec3 to_light = q.p - receiver.p;
   const float distance = glm::length(to_light);
   if (!(distance > 0)) return result;
   const Vec3 wi = to_light / distance;
   const float cosine = -dot(wi, q.n);  // positive on the outer side
   if (cosine == 0 || (cosine < 0 && !emitter_.two_sided)) return result;
-  const float pdf = q.pdf * sqr(distance) / std::abs(cosine);
+  const float pdf = q.by_solid_angle ? q.pdf : q.pdf * sqr(distance) / std::abs(cosine);
   if (!(pdf > 0) || !std::isfinite(pdf)) return result;
   result.emplace();
   result->wi = wi;
@@ -128,10 +263,19 @@ std::optional<LightSample> AreaLight::sample(const Vec3& p, const Vec2& u) const
   return result;
 }
 
-float AreaLight::pdf(const Surface& surface, const Vec3& wi, float distance) const {
+float AreaLight::pdf(const LightReceiver& receiver, const Surface& surface, const Hit& hit,
+                     const Vec3& wi) const {
   const float cosine = -dot(wi, surface.ng);
   if (cosine == 0 || (cosine < 0 && !emitter_.two_sided)) return 0;
-  return area_pdf(surface.ng) * sqr(distance) / std::abs(cosine);
+  const float area_to_angle = sqr(hit.t) / std::abs(cosine);
+  if (emitter_.rectangle) {
+    if (const auto seen = rectangle_from(receiver.p)) return static_cast<float>(1 / seen->solid_angle());
+  } else if (!analytic_) {
+    return mesh_pdf(receiver, hit, area_to_angle);
+  } else if (const auto cone = cone_from(receiver.p)) {
+    return cone_pdf_along(*cone, wi);
+  }
+  return area_pdf(surface.ng) * area_to_angle;
 }
 
 Spectrum AreaLight::emission_at(const Vec2& uv) const {

@@ -22,7 +22,8 @@ double neighbourhood(const TextureImage& image, int x, int y) {
 
 // The distribution's rows run with v, from the bottom of the image (v = 0, −y) to its top.
 void EnvironmentLight::prepare() {
-  mean_luminance_ = luminance(radiance);
+  factor_ = std::exp2(exposure);
+  mean_luminance_ = luminance(radiance * factor_);
   if (!image) return;
   const int width = image->width(), height = image->height();
   std::vector<double> weights;
@@ -52,16 +53,16 @@ Vec2 EnvironmentLight::uv_of(const Vec3& d) const {
 }
 
 Spectrum EnvironmentLight::emitted(const Vec3& direction) const {
-  if (!image) return radiance;
+  if (!image) return radiance * factor_;
   // The image repeats around the horizon but ends at the poles.
   Vec2 uv = uv_of(direction);
   const float half_texel = 0.5f / static_cast<float>(image->height());
   uv.y = glm::clamp(uv.y, half_texel, 1 - half_texel);
-  return radiance * image->bilinear(uv, Wrap::repeat) * rgb(1, 1, 1);
+  return radiance * factor_ * image->bilinear(uv, Wrap::repeat) * rgb(1, 1, 1);
 }
 
 std::optional<LightSample> EnvironmentLight::sample(const Vec2& u) const {
-  if (!image) return LightSample{square_to_sphere(u), radiance, sphere_pdf};
+  if (!image) return LightSample{square_to_sphere(u), radiance * factor_, sphere_pdf};
   const Distribution2D::Draw draw = texels_->sample(u);
   const float theta = pi * (1 - draw.position.y);
   const float phi = two_pi * (draw.position.x - 0.5f - rotation / 360);

@@ -20,6 +20,7 @@ struct EnvironmentLight {
   Spectrum radiance = grey(1);
   std::string file;
   float rotation = 0;
+  float exposure = 0;
 
   static constexpr const char* kind = "environment";
   static constexpr const char* doc = "light from every direction at infinite distance";
@@ -27,7 +28,9 @@ struct EnvironmentLight {
       parameter<&EnvironmentLight::radiance>("radiance", "W m⁻² sr⁻¹; multiplies the image", non_negative),
       parameter<&EnvironmentLight::file>("file",
                                          "latitude-longitude image, +y up, relative to the scene file"),
-      parameter<&EnvironmentLight::rotation>("rotation", "about +y, degrees, counter-clockwise from above")};
+      parameter<&EnvironmentLight::rotation>("rotation", "about +y, degrees, counter-clockwise from above"),
+      parameter<&EnvironmentLight::exposure>("exposure", "stops: multiplies all by 2^exposure",
+                                             Range{-64, 64})};
 
   std::shared_ptr<const TextureImage> image = nullptr;  // what the reader loads where there is a file
 
@@ -43,6 +46,7 @@ struct EnvironmentLight {
 
   std::shared_ptr<const Distribution2D> texels_ = nullptr;  // none for a constant
   double mean_luminance_ = 0;
+  float factor_ = 1;  // 2^exposure
 };
 
 }  // namespace umbral

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/parameters.h"
+#include "scene/lights/light_bounds.h"
 #include "scene/lights/light_sample.h"
 
 namespace umbral {
@@ -22,6 +23,7 @@ struct PointLight {
 
   std::optional<LightSample> sample(const Vec3& p) const;
   double power() const { return 4 * pi_d * luminance(intensity); }
+  LightBounds bounds() const { return bounds_of_point(Vec3d(position), luminance(intensity)); }
 };
 
 }  // namespace umbral

@@ -22,6 +22,15 @@ std::optional<LightSample> SpotLight::sample(const Vec3& p) const {
   return LightSample{wi, intensity * (share / sqr(distance)), 1, true, distance, position};
 }
 
+LightBounds SpotLight::bounds() const {
+  LightBounds bounds = bounds_of_point(Vec3d(position), luminance(intensity));
+  const float edge = std::min(edge_angle, cone_angle);
+  bounds.normals = {glm::normalize(Vec3d(target) - Vec3d(position)),
+                    glm::radians(static_cast<double>(cone_angle - edge))};
+  bounds.fade = glm::radians(static_cast<double>(edge));
+  return bounds;
+}
+
 double SpotLight::power() const {
   // ∫ falloff dω by Simpson's rule over the angle; it only weighs the choice among lights.
   constexpr int steps = 64;

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/parameters.h"
+#include "scene/lights/light_bounds.h"
 #include "scene/lights/light_sample.h"
 
 namespace umbral {
@@ -31,6 +32,7 @@ struct SpotLight {
 
   std::optional<LightSample> sample(const Vec3& p) const;
   double power() const;
+  LightBounds bounds() const;
 
  private:
   float falloff(float cos_angle) const;
