@@ -15,6 +15,7 @@
 #include "core/names.h"
 #include "core/parallel.h"
 #include "image/atomic_file.h"
+#include "scene/relative_to_camera.h"
 
 namespace umbral {
 namespace {
@@ -166,7 +167,7 @@ int command(Arguments arguments) {
     refuse("--expect-equal: there is nothing to be equal to: give --reference, --oracle or several variants");
   for (const std::string& path : {arguments.html, arguments.svg, arguments.json, arguments.junit})
     if (!path.empty()) const AtomicFile probe(path);  // fails now rather than after a long render
-  const Scene scene(std::move(loaded.file.scene));
+  const Scene scene(relative_to_camera(std::move(loaded.file.scene)));
 
   const ConvergeResult result = rendered(scene, all, arguments);
   if (result.curves[0].finest.mean.empty()) {

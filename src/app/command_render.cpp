@@ -17,6 +17,7 @@
 #include "image/atomic_file.h"
 #include "image/film_file.h"
 #include "image/png.h"
+#include "scene/relative_to_camera.h"
 
 namespace umbral {
 namespace {
@@ -149,7 +150,7 @@ int command(const Arguments& arguments) {
                       loaded.file.hash,
                       render_options(arguments, loaded.file)};
   print_warnings(loaded.file, arguments.quiet);
-  const Scene scene(std::move(loaded.file.scene));
+  const Scene scene(relative_to_camera(std::move(loaded.file.scene)));
 
   if (!arguments.pixel.empty()) {
     const int x = arguments.pixel[0], y = arguments.pixel[1];

@@ -8,6 +8,7 @@
 #include "app/arguments.h"
 #include "core/parallel.h"
 #include "render/replicates.h"
+#include "scene/relative_to_camera.h"
 
 namespace umbral {
 namespace {
@@ -145,7 +146,7 @@ LoadedVariants load(const std::string& path, const CompareInputs& inputs, std::s
     if (!inputs.size.empty()) apply_size(inputs.size, variant.film);
     if (!chosen) variant.sampling.replicates = 1;
   }
-  return {Scene(std::move(loaded.file.scene)), std::move(made)};
+  return {Scene(relative_to_camera(std::move(loaded.file.scene))), std::move(made)};
 }
 
 void require_error_of_reference(const ComparedPair& pair) {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "formats/mesh_topology.h"
-#include "formats/shape_bounds.h"
+#include "formats/scene_bounds.h"
 
 namespace umbral {
 namespace {

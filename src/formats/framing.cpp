@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/shape_bounds.h"
+#include "formats/scene_bounds.h"
 
 namespace umbral {
 namespace {
