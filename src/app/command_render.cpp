@@ -33,7 +33,7 @@ struct Arguments {
   std::string target_error;
   double exposure = 0;
   bool quiet = false, statistics = false, json = false, layers = false, auxiliary = false,
-       pooled_error = false;
+       pooled_error = false, stop_at_rejected = false;
 };
 
 void apply_sampler(const std::string& name, SamplingSettings& sampling) {
@@ -67,6 +67,7 @@ RenderOptions render_options(const Arguments& arguments, const SceneFile& file) 
     refuse("--target-error needs an error bar, and that two replicates and two samples at least");
   options.layers = arguments.layers;
   options.auxiliary = arguments.auxiliary;
+  options.stop_at_rejected = arguments.stop_at_rejected;
   if (!arguments.crop.empty()) {
     const std::vector<int>& c = arguments.crop;
     if (c[0] >= c[2] || c[1] >= c[3]) refuse("--crop wants x0,y0,x1,y1 with x0 < x1 and y0 < y1");
@@ -131,6 +132,7 @@ void write_and_tell(const Arguments& arguments, const RenderJob& job, const Rend
 }
 
 int exit_code_of(const RenderResult& result, const RenderOptions& options) {
+  if (options.stop_at_rejected && result.film->rejected() > 0) return exit_differ;
   if (result.stop_reason == "interrupted") return exit_interrupted;
   if (options.relative_error > 0 && !result.target.reached) return exit_not_reached;
   return exit_success;
@@ -191,6 +193,8 @@ void add_options(CLI::App& render, Arguments& a) {
   render.add_flag("--aux", a.auxiliary, "albedo, N and Z as channels of their own");
   render.add_flag("--pooled-error", a.pooled_error,
                   "stderrPooled as channels of their own: errors pooled over 5x5 pixels");
+  render.add_flag("--stop-at-rejected", a.stop_at_rejected,
+                  "for hunting: end at the first sample that is not finite or is negative, exit code 1");
   render.add_flag("--quiet", a.quiet, "no progress, no summary");
   render.add_flag("--stats", a.statistics, "more about speed and memory");
   render.add_flag("--json", a.json, "the summary as JSON on standard output");

@@ -5,7 +5,7 @@ namespace umbral {
 
 enum ExitCode {
   exit_success = 0,           // of compare: equal within noise
-  exit_differ = 1,            // of compare
+  exit_differ = 1,            // of compare; of render --stop-at-rejected, there was one
   exit_bad_input = 2,         // arguments, scene or other input files
   exit_bad_output = 3,        // a file could not be written
   exit_not_reached = 4,       // a target error was not reached, or compare needs more samples to tell

@@ -61,12 +61,15 @@ class Render {
       error = film_->image_error();
       report(1, count, error.relative());
     }
-    const std::string reason = cancelled() ? "interrupted" : schedule_.reason();
+    const std::string reason =
+        rejected_ ? "a rejected sample" : cancelled() ? "interrupted" : schedule_.reason();
     return {std::move(film_), seconds_since(start_), reason, schedule_.target()};
   }
 
  private:
-  bool cancelled() const { return hooks_.cancelled && hooks_.cancelled->load(std::memory_order_relaxed); }
+  bool cancelled() const {
+    return rejected_ || (hooks_.cancelled && hooks_.cancelled->load(std::memory_order_relaxed));
+  }
 
   void pass(std::uint64_t first, std::uint64_t count, double error) {
     const FilmLayout& layout = film_->layout();
@@ -109,6 +112,7 @@ class Render {
     if (options_.auxiliary) pixels_.add_auxiliary(result.ray, auxiliary);
     if (!is_valid_radiance(result.radiance)) {
       film_->reject({x, y, replicate, index, result.radiance});
+      if (options_.stop_at_rejected) rejected_ = true;
       return black;
     }
     for (std::size_t i = 0; i < parts.size(); ++i) layers[i] += parts[i];
@@ -135,6 +139,7 @@ class Render {
   Clock::time_point start_ = Clock::now();
   std::mutex report_mutex_;
   double next_report_ = 0;
+  std::atomic<bool> rejected_{false};  // and options_.stop_at_rejected
 };
 
 }  // namespace

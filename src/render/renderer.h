@@ -25,6 +25,7 @@ struct RenderOptions {
   bool layers = false;     // keep the integrator's layers apart
   bool auxiliary = false;  // albedo, normal and depth of the first hit
   int tile = 16;           // pixels a side; changes nothing in the image
+  bool stop_at_rejected = false;  // end soon after the first sample that is not finite or is negative
 };
 
 // What a render reports while it runs, from any of its threads but never from two at a time.

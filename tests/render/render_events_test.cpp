@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/parallel.h"
 #include "render/renderer.h"
 #include "support/scene_kit.h"
 
@@ -81,6 +82,19 @@ TEST_F(RenderEvents, RefusedSamplesAreCountedLocatedAndReplayable) {
   EXPECT_EQ(result.film->layer(0, 3, 2), Vec3d(63.0 / 64));
   EXPECT_EQ(result.film->at(3, 2).samples, 64);
   EXPECT_EQ(result.film->at(4, 2).mean, Vec3d(1));
+}
+
+// Each thread ends the tile it is in, at most.
+TEST_F(RenderEvents, StopsAtTheFirstRefusedSampleIfAsked) {
+  integrator_.react = [](const Vec2&) { return grey(-1); };
+  options_.tile = 2;
+  options_.stop_at_rejected = true;
+  const RenderResult result = render(scene_, integrator_, options_);
+  EXPECT_EQ(result.stop_reason, "a rejected sample");
+  EXPECT_GE(result.film->rejected(), 1u);
+  EXPECT_LE(result.film->rejected(), 4u * 64 * static_cast<unsigned>(available_threads()));
+  integrator_.react = [](const Vec2&) { return white; };
+  EXPECT_NE(render(scene_, integrator_, options_).stop_reason, "a rejected sample");
 }
 
 TEST_F(RenderEvents, OnlyTheFirstRefusedSamplesAreKeptAndTheyAreTheSameEveryTime) {
