@@ -61,8 +61,9 @@ class Render {
       error = film_->image_error();
       report(1, count, error.relative());
     }
-    const std::string reason =
-        rejected_ ? "a rejected sample" : cancelled() ? "interrupted" : schedule_.reason();
+    const std::string reason = rejected_     ? "a rejected sample"
+                               : cancelled() ? "interrupted"
+                                             : schedule_.reason();
     return {std::move(film_), seconds_since(start_), reason, schedule_.target()};
   }
 

@@ -22,9 +22,9 @@ struct RenderOptions {
   double seconds = std::numeric_limits<double>::infinity();
   double relative_error = 0;  // target, see Schedule; 0 asks for none, any other needs two replicates
   std::optional<Crop> crop;
-  bool layers = false;     // keep the integrator's layers apart
-  bool auxiliary = false;  // albedo, normal and depth of the first hit
-  int tile = 16;           // pixels a side; changes nothing in the image
+  bool layers = false;            // keep the integrator's layers apart
+  bool auxiliary = false;         // albedo, normal and depth of the first hit
+  int tile = 16;                  // pixels a side; changes nothing in the image
   bool stop_at_rejected = false;  // end soon after the first sample that is not finite or is negative
 };
 

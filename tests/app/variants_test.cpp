@@ -59,7 +59,8 @@ TEST_F(Variants, WithoutListsThereIsTheSceneAsItIs) {
   const std::vector<Variant> all = variants(scene_, {});
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].name, "path");
-  EXPECT_EQ(all[0].call, "path(max_depth = 5, strategy = \"bsdf\", roulette_depth = 3, light_choice = \"tree\")");
+  EXPECT_EQ(all[0].call,
+            "path(max_depth = 5, strategy = \"bsdf\", roulette_depth = 3, light_choice = \"tree\")");
   EXPECT_THROW(require_several(all), SceneError);
 }
 

@@ -18,7 +18,8 @@ SceneDescription room(const Affine& place, Vertices vertices = Vertices::transfo
   SceneDescription scene;
   const auto at = [&](const Vec3d& p) { return Vec3(place.point(p)); };
   scene.camera = camera(at({2, -3, 2}), at({0, 0, 0}), 45);
-  const MaterialId white_wall = add_matte(scene, grey(0.7f)), red_wall = add_matte(scene, rgb(0.7f, 0.1f, 0.1f));
+  const MaterialId white_wall = add_matte(scene, grey(0.7f)),
+                   red_wall = add_matte(scene, rgb(0.7f, 0.1f, 0.1f));
   const MaterialId lamp = add_matte(scene, black);
   const auto add = [&](ShapeKinds kind, MaterialId material, const Affine& own = {},
                        const Spectrum& emission = black) {
@@ -31,8 +32,10 @@ SceneDescription room(const Affine& place, Vertices vertices = Vertices::transfo
   add(torus(0.5f, 0.125f), red_wall, translation({0.5, -0.5, 0.125}));
   add(rectangle({-1, -1, 3}, {0, 2, 0}, {2, 0, 0}), lamp, {}, grey(4));
   Mesh octahedron;
-  octahedron.positions = {{1.5f, 1, 0.5f}, {0.5f, 1, 0.5f}, {1, 1.5f, 0.5f}, {1, 0.5f, 0.5f}, {1, 1, 1}, {1, 1, 0}};
-  octahedron.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  octahedron.positions = {{1.5f, 1, 0.5f}, {0.5f, 1, 0.5f}, {1, 1.5f, 0.5f},
+                          {1, 0.5f, 0.5f}, {1, 1, 1},       {1, 1, 0}};
+  octahedron.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                          {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   if (vertices == Vertices::rounded) {
     octahedron.transform(place);
     add_shape(scene, std::move(octahedron), white_wall);
@@ -48,8 +51,8 @@ testing::AssertionResult is_the_same_room(SceneDescription other, double resolut
   GateSettings settings;
   settings.tiles = 2;
   settings.resolution = resolution;
-  return same_mean(SmallRender{here, path, SamplerKind::sobol, 64}, SmallRender{there, path, SamplerKind::sobol, 64},
-                   settings);
+  return same_mean(SmallRender{here, path, SamplerKind::sobol, 64},
+                   SmallRender{there, path, SamplerKind::sobol, 64}, settings);
 }
 
 TEST(UnitAgreement, PowersOfTen) {
