@@ -18,8 +18,8 @@ SceneDescription world_at(const Vec3& where) {
   add_shape(scene, polygon({where, where + Vec3(1, 0, 0), where + Vec3(0, 1, 0)}), matte);
   add_shape(scene, sphere(where + Vec3(0, 0, 1), 0.5f), matte);
   add_shape(scene, rectangle(where, {1, 0, 0}, {0, 1, 0}), matte);
-  scene.lights.push_back(PointLight{where + Vec3(0, 2, 0)});
-  scene.lights.push_back(SpotLight{where + Vec3(0, 3, 0), where});
+  scene.lights.emplace_back(PointLight{where + Vec3(0, 2, 0)});
+  scene.lights.emplace_back(SpotLight{where + Vec3(0, 3, 0), where});
   scene.objects.push_back({"ball", {Shape{"", sphere({0, 0, 0}, 0.25f), {}, matte}}});
   scene.instances.push_back({ObjectId{0}, translation(Vec3d(where) + Vec3d(1, 1, 1))});
   return scene;
