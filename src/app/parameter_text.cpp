@@ -43,6 +43,12 @@ void ParameterTexts::operator()(const ParameterInfo& info, Spectrum& v) { add(in
 void ParameterTexts::operator()(const ParameterInfo& info, std::string& v) {
   add(info, "text", '"' + v + '"');
 }
+void ParameterTexts::operator()(const ParameterInfo& info, ColorStops& v) {
+  std::string text;
+  for (const ColorStop& stop : v)
+    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", number(stop.at), color(stop.color));
+  add(info, "list of [number, colour]", "[" + text + "]");
+}
 void ParameterTexts::operator()(const ParameterInfo& info, Textured<float>& v) {
   add(info, "number or texture", number(v.value));
 }

@@ -27,6 +27,7 @@ class ParameterTexts : public ParameterVisitor {
   void operator()(const ParameterInfo&, Vec3&) override;
   void operator()(const ParameterInfo&, Spectrum&) override;
   void operator()(const ParameterInfo&, std::string&) override;
+  void operator()(const ParameterInfo&, ColorStops&) override;
   void operator()(const ParameterInfo&, Textured<float>&) override;
   void operator()(const ParameterInfo&, Textured<Spectrum>&) override;
   void choice(const ParameterInfo&, int& index, std::span<const char* const> names) override;

@@ -39,6 +39,7 @@ struct Conductor {
 
   bool only_delta() const { return sqr(roughness) < Ggx::smallest_alpha; }
   bool has_choice() const { return !only_delta(); }
+  bool follows_tangent() const { return anisotropy != 0; }
 
   Spectrum f_cos(const Vec3& wo, const Vec3& wi) const;
   float pdf(const Vec3& wo, const Vec3& wi) const;

@@ -39,6 +39,7 @@ class SceneChecks {
   void check_lights();
   void check_materials();
   void check_shape(const Shape& shape, const Place& place);
+  void check_textures(const Shape& shape, const Place& place, const Material& material);
   void check_camera(const Shape& shape, const Place& place, const Affine& to_world);
   void check_distance(const Shape& shape, const Place& place, const Affine& to_world);
   void report_far();
@@ -79,6 +80,10 @@ void SceneChecks::check_lights() {
 void SceneChecks::check_materials() {
   for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
     const Material& material = scene_.materials[i];
+    if (material.bump_map.is_constant() && material.bump_map.value != 0)
+      warn(scene_.material_places[i],
+           fmt::format("material '{}': a bump map that is one number has no slope and no effect",
+                       material.name));
     const auto* lobe = std::get_if<BlinnPhong>(&material.lobe);
     if (!lobe) continue;
     Textured<Spectrum> kd{lobe->kd}, ks{lobe->ks};
@@ -108,10 +113,27 @@ void SceneChecks::check_shape(const Shape& shape, const Place& place) {
       warn(place, fmt::format("{} is of dielectric '{}' but is not closed: it has no inside", name_of(shape),
                               material.name));
   }
+  check_textures(shape, place, material);
   if (shape.emits() && !shines(shape))
     warn(place, fmt::format("the emission of {} is black", name_of(shape)));
   if (shape.emits() && !material.is_opaque())
     warn(place, fmt::format("{} emits, but its material '{}' is not opaque", name_of(shape), material.name));
+}
+
+// What the textures of a shape ask for and its mesh has not.
+void SceneChecks::check_textures(const Shape& shape, const Place& place, const Material& material) {
+  const auto* mesh = std::get_if<Mesh>(&shape.kind);
+  if (!mesh) return;
+  unsigned needs = material.needs(scene_.textures);
+  if (!shape.emission.is_constant()) needs |= scene_.textures[index_of(shape.emission.map)].needs();
+  const auto lacks = [&](const char* what, const char* instead) {
+    warn(place, fmt::format("{} has no {}, which textures of '{}' ask for: {}", name_of(shape), what,
+                            material.name, instead));
+  };
+  if ((needs & texture_needs::color) != 0 && mesh->colors.empty()) lacks("vertex colours", "they are white");
+  if ((needs & texture_needs::uv1) != 0 && mesh->uvs1.empty()) lacks("second uv", "the first is used");
+  if (material.has_normal_map() && mesh->uvs.empty())
+    lacks("uv", "the normal map lies on each of its triangles anew");
 }
 
 void SceneChecks::check_camera(const Shape& shape, const Place& place, const Affine& to_world) {

@@ -42,12 +42,23 @@ std::size_t mend_normals(Mesh& mesh) {
   return count;
 }
 
-std::size_t mend_uvs(Mesh& mesh) {
+std::size_t mend_uvs(std::vector<Vec2>& uvs) {
   std::size_t count = 0;
-  for (Vec2& uv : mesh.uvs) {
+  for (Vec2& uv : uvs) {
     if (is_finite(uv)) continue;
     uv = {0, 0};
     ++count;
+  }
+  return count;
+}
+
+std::size_t mend_colors(std::vector<Spectrum>& colors) {
+  std::size_t count = 0;
+  for (Spectrum& color : colors) {
+    Spectrum kept = color;
+    for (int i = 0; i < 4; ++i) kept[i] = color[i] > 0 ? std::min(color[i], 1.0f) : 0.0f;  // not a number: 0
+    count += kept != color ? 1 : 0;
+    color = kept;
   }
   return count;
 }
@@ -64,6 +75,7 @@ std::string MeshRepairs::text() const {
   if (triangles > 0) add("dropped " + counted(triangles, "triangle") + " without area");
   if (normals > 0) add("replaced " + counted(normals, "normal") + " without direction");
   if (uvs > 0) add("set " + counted(uvs, "texture coordinate") + " to 0 that were not finite");
+  if (colors > 0) add("cut " + counted(colors, "vertex colour") + " to 0 … 1");
   return text;
 }
 
@@ -71,7 +83,8 @@ MeshRepairs clean(Mesh& mesh) {
   MeshRepairs repairs;
   repairs.triangles = drop_degenerate_triangles(mesh);
   repairs.normals = mend_normals(mesh);
-  repairs.uvs = mend_uvs(mesh);
+  repairs.uvs = mend_uvs(mesh.uvs) + mend_uvs(mesh.uvs1);
+  repairs.colors = mend_colors(mesh.colors);
   return repairs;
 }
 

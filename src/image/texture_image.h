@@ -62,6 +62,8 @@ class TextureImage {
     return filter == TextureFilter::bilinear ? bilinear(uv, wrap) : nearest(uv, wrap);
   }
 
+  // Whether texels are stored as sRGB codes.
+  bool is_srgb() const { return std::holds_alternative<TexelGrid<Srgb8>>(texels_); }
   // Whether some texel's alpha is below 1.
   bool has_alpha() const { return min_max_.first.a < 1; }
   // The smallest and the largest value of each channel.

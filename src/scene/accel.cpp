@@ -81,7 +81,7 @@ struct Accel::Impl {
         continue;
       }
       RTCGeometry geometry = triangle_geometry(device, context.geometry->meshes[context.piece->mesh]);
-      if (!context.material->is_opaque()) set_alpha_filter(geometry, context);
+      if (!context.material->stops_all()) set_alpha_filter(geometry, context);
       attach(scene, geometry, id);
     }
   }

@@ -120,6 +120,51 @@ void move_to_world(GroupSurface& s, const Placement& placement) {
   s.magnitude = max_component(Vec3(placement.to_world.magnitude(Vec3d(s.magnitude))));
 }
 
+// Where a ray met an analytic shape, in the space of its group.
+Vec3d group_point(const Ray& ray, const Hit& hit, const Placement* placement) {
+  const Vec3d p = Vec3d(ray.o) + static_cast<double>(hit.t) * Vec3d(ray.d);
+  return placement ? placement->from_world.point(p) : p;
+}
+
+TexturePoint difference(const TexturePoint& a, const TexturePoint& b) {
+  TexturePoint result;
+  result.uv = a.uv - b.uv;
+  result.uv1 = a.uv1 - b.uv1;
+  result.p = a.p - b.p;
+  result.color = a.color - b.color;
+  return result;
+}
+
+LocalChart mesh_chart(const TracedMesh& mesh, const Hit& hit, unsigned needs) {
+  const auto at = [&](const Vec2& barycentric) {
+    return mesh.texture_point(hit.primitive, barycentric, needs);
+  };
+  const TexturePoint corner = at({0, 0});
+  const glm::uvec3& t = mesh.triangles[hit.primitive].vertices;
+  const Vec3& p = mesh.vertices[t.x].p;
+  return {at(hit.barycentric),
+          {mesh.vertices[t.y].p - p, mesh.vertices[t.z].p - p},
+          {difference(at({1, 0}), corner), difference(at({0, 1}), corner)},
+          mesh.mapped};
+}
+
+LocalChart analytic_chart(const PlacedShape& placed, const Vec3d& p_group) {
+  const SurfacePoint point = std::visit(
+      [&](const auto& shape) { return shape.nearest(placed.from_group.point(p_group)); }, placed.shape);
+  LocalChart chart;
+  chart.at = TexturePoint(Vec2(point.uv));
+  chart.at.uv1 = chart.at.uv;
+  chart.at.p = Vec3(placed.to_group.point(point.p));
+  for (int i = 0; i < 2; ++i) {
+    TexturePoint& d = chart.d[i];
+    d.uv[i] = d.uv1[i] = 1;
+    chart.dp[i] = d.p = Vec3(placed.to_group.vector(i == 0 ? point.dpdu : point.dpdv));
+    d.color = Spectrum(0.0f);
+  }
+  chart.mapped = true;
+  return chart;
+}
+
 }  // namespace
 
 Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
@@ -129,17 +174,27 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
   if (piece.mesh != no_index) {
     s = mesh_surface(meshes[piece.mesh], hit);
   } else {
-    Vec3d p = Vec3d(ray.o) + static_cast<double>(hit.t) * Vec3d(ray.d);
-    if (placement) p = placement->from_world.point(p);
-    s = analytic_surface(analytics[piece.analytic], p);
+    s = analytic_surface(analytics[piece.analytic], group_point(ray, hit, placement));
   }
   if (placement) move_to_world(s, *placement);
   if (s.ns != s.ng) s.ns = facing_normal(s.ns, s.ng, -glm::normalize(ray.d));
   Surface surface{s.p, s.ng, frame_from_normal(s.ns), s.uv, 0, piece.material};
+  surface.detail = piece.detail;
   surface.error = surface_error(s.magnitude) + s.sliver;
   if (piece.emitter != no_index)
     surface.light = static_cast<LightId>(piece.emitter + (placement ? placement->first_light : 0));
   return surface;
+}
+
+LocalChart Geometry::chart(const Ray& ray, const Hit& hit) const {
+  const Piece& piece = this->piece(hit);
+  const Placement* placement = hit.instance == no_index ? nullptr : &instances[hit.instance];
+  LocalChart chart = piece.mesh != no_index
+                         ? mesh_chart(meshes[piece.mesh], hit, piece.needs)
+                         : analytic_chart(analytics[piece.analytic], group_point(ray, hit, placement));
+  if (placement)
+    for (Vec3& dp : chart.dp) dp = Vec3(placement->to_world.vector(Vec3d(dp)));
+  return chart;
 }
 
 Geometry sorted_geometry(SceneDescription& description) {

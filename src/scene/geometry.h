@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "scene/local_chart.h"
 #include "scene/material.h"
 #include "scene/shapes/shapes.h"
 #include "scene/surface.h"
@@ -25,6 +26,8 @@ struct Piece {
   std::uint32_t analytic = no_index;
   MaterialId material = MaterialId::none;
   std::uint32_t emitter = no_index;  // its number among the group's emitting pieces
+  unsigned needs = 0;                // of its textures, beside uv (texture_needs)
+  unsigned detail = 0;               // of its material (surface_detail)
 };
 
 struct Group {
@@ -63,6 +66,9 @@ struct Geometry {
 
   // `hit` must have come from `ray`.
   Surface surface(const Ray& ray, const Hit& hit) const;
+
+  // Around the hit; textures see in it what the piece's `needs` say.
+  LocalChart chart(const Ray& ray, const Hit& hit) const;
 };
 
 // Moves the shapes out of the description; meshes are transformed to their group.

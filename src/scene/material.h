@@ -1,6 +1,7 @@
 // Material: a lobe whose parameters may vary over the surface by textures.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,26 +12,71 @@ namespace umbral {
 
 // Puts a texture's value into one parameter of the lobe.
 struct TexturedParameter {
-  void (*set)(Lobes& lobe, const Texture& texture, const Vec2& uv);
+  void (*set)(Lobes& lobe, const Texture& texture, const TexturePoint& point);
   TextureId texture;
 };
+
+// What an opacity between 0 and 1 means: the chance to be met, or a mask.
+enum class AlphaMode { blend, mask };
+
+template <>
+struct EnumNames<AlphaMode> {
+  static constexpr std::array names{"blend", "mask"};
+};
+
+// What the inner side of a surface is: as the outer one, black (as a Mitsuba material that is not `twosided`), or not
+// there at all, for any ray (a glTF material that is not `doubleSided`).
+enum class BackSide { same, absorbing, clear };
+
+template <>
+struct EnumNames<BackSide> {
+  static constexpr std::array names{"same", "black", "clear"};
+};
+
+// The normal that no normal map changes.
+inline const Spectrum level_normal = rgb(0.5f, 0.5f, 1);
 
 struct Material {
   std::string name;
   Lobes lobe;                           // with the constants
   std::vector<TexturedParameter> maps;  // what replaces some of them
   Textured<float> alpha{1};             // opacity: the chance that a ray meets the surface at all
+  AlphaMode alpha_mode = AlphaMode::blend;
+  float alpha_cutoff = 0.5f;  // of a mask: what is at least this is there
+  BackSide back = BackSide::same;
 
-  bool is_opaque() const { return alpha.is_constant() && alpha.value >= 1; }
+  Textured<Spectrum> normal_map{
+      level_normal};            // (n + 1)/2 for n in tangent space: x along u, y along v, z outwards
+  float normal_scale = 1;       // of x and y
+  Textured<float> bump_map{0};  // height
+  float bump_scale = 1;         // world units
 
-  // The lobe at `uv`, by the textures of the scene.
-  Lobes at(const Vec2& uv, const std::vector<Texture>& textures) const {
+  // Whether no ray passes, from outside.
+  bool is_opaque() const { return alpha.is_constant() && opacity_of(alpha.value) >= 1; }
+  // Whether every ray that comes to the surface meets it.
+  bool stops_all() const { return is_opaque() && back != BackSide::clear; }
+  // The chance that a ray from outside meets the surface there.
+  float opacity(const TexturePoint& point, const std::vector<Texture>& textures) const {
+    return opacity_of(alpha.is_constant() ? alpha.value : textures[index_of(alpha.map)].number(point));
+  }
+
+  bool has_normal_map() const { return !normal_map.is_constant() || normal_map.value != level_normal; }
+  bool has_bump_map() const { return !bump_map.is_constant(); }
+  // What the textures of all parameters ask for, of texture_needs.
+  unsigned needs(const std::vector<Texture>& textures) const;
+
+  // The lobe at a point, by the textures of the scene.
+  Lobes at(const TexturePoint& point, const std::vector<Texture>& textures) const {
     if (maps.empty()) return lobe;
-    return textured_at(uv, textures);
+    return textured_at(point, textures);
   }
 
  private:
-  Lobes textured_at(const Vec2& uv, const std::vector<Texture>& textures) const;
+  float opacity_of(float value) const {
+    return alpha_mode == AlphaMode::mask ? (value >= alpha_cutoff ? 1.0f : 0.0f)
+                                         : glm::clamp(value, 0.0f, 1.0f);
+  }
+  Lobes textured_at(const TexturePoint& point, const std::vector<Texture>& textures) const;
 };
 
 namespace detail {
@@ -39,18 +85,36 @@ template <class Lobe, class T>
 Lobe lobe_of(T Lobe::*);
 
 template <auto Member>
-void set_from_texture(Lobes& lobe, const Texture& texture, const Vec2& uv) {
+void set_from_texture(Lobes& lobe, const Texture& texture, const TexturePoint& point) {
   auto& value = std::get<decltype(lobe_of(Member))>(lobe).*Member;
   if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, float>)
-    value = texture.number(uv);
+    value = texture.number(point);
   else
-    value = texture.color(uv) * rgb(1, 1, 1);
+    value = texture.color(point) * rgb(1, 1, 1);
 }
 
 }  // namespace detail
 
-// Calls visitor(info, Textured<float or Spectrum>&) for each parameter of the material's lobe and for its alpha, with a
-// plain reference for one that is a choice among names, and keeps what the visitor wrote.
+// Calls visitor(info, value&) for what every material has beside its lobe.
+template <class Visitor>
+void for_each_common_parameter(Material& material, Visitor&& visitor) {
+  visitor(ParameterInfo{"alpha", "opacity: 0 lets every ray pass, 1 none", zero_to_one}, material.alpha);
+  visitor(ParameterInfo{"alpha_mode", "an opacity between is a chance, or is cut off to 0 or 1"},
+          material.alpha_mode);
+  visitor(ParameterInfo{"alpha_cutoff", "the least opacity that a mask takes as 1", zero_to_one},
+          material.alpha_cutoff);
+  visitor(ParameterInfo{"back", "the inner side: same as the outer, black, or clear: not there for any ray"},
+          material.back);
+  visitor(ParameterInfo{"normal_map", "(n + 1)/2, n along u, v and outwards; an image must be read as linear",
+                        zero_to_one},
+          material.normal_map);
+  visitor(ParameterInfo{"normal_scale", "of the normal map's x and y"}, material.normal_scale);
+  visitor(ParameterInfo{"bump_map", "height, a texture"}, material.bump_map);
+  visitor(ParameterInfo{"bump_scale", "of the height; world units"}, material.bump_scale);
+}
+
+// Calls visitor(info, Textured<float or Spectrum>&) for each parameter of the material's lobe, with a plain reference for
+// one that is a choice among names, and keeps what the visitor wrote; then for_each_common_parameter().
 template <class Visitor>
 void for_each_material_parameter(Material& material, Visitor&& visitor) {
   const auto visit_one = [&](auto& lobe, const auto& parameter) {
@@ -71,7 +135,7 @@ void for_each_material_parameter(Material& material, Visitor&& visitor) {
         std::apply([&](const auto&... p) { (visit_one(lobe, p), ...); }, Lobe::parameters);
       },
       material.lobe);
-  visitor(ParameterInfo{"alpha", "opacity: 0 lets every ray pass, 1 none", zero_to_one}, material.alpha);
+  for_each_common_parameter(material, visitor);
 }
 
 }  // namespace umbral

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/parameters.h"
+#include "scene/color_stops.h"
 #include "scene/ids.h"
 
 namespace umbral {
@@ -22,6 +23,7 @@ class ParameterVisitor {
   virtual void operator()(const ParameterInfo&, Vec3&) = 0;
   virtual void operator()(const ParameterInfo&, Spectrum&) = 0;
   virtual void operator()(const ParameterInfo&, std::string&) = 0;
+  virtual void operator()(const ParameterInfo&, ColorStops&) = 0;
   virtual void operator()(const ParameterInfo&, Textured<float>&) = 0;
   virtual void operator()(const ParameterInfo&, Textured<Spectrum>&) = 0;
   virtual void choice(const ParameterInfo&, int& index, std::span<const char* const> names) = 0;

@@ -1,7 +1,10 @@
 // Building a scene and asking its lights.
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <set>
+
+#include "scene/surface_detail.h"
 
 namespace umbral {
 
@@ -10,6 +13,7 @@ Scene::Scene(SceneDescription description)
       textures_(std::move(description.textures)),
       materials_(std::move(description.materials)),
       geometry_(sorted_geometry(description)) {
+  mark_details();
   accel_ = std::make_unique<Accel>(geometry_, materials_, textures_);
   const Bounds bounds = accel_->bounds();
   radius_ = static_cast<float>(std::max(0.0, glm::length(bounds.high - bounds.low) / 2));
@@ -26,6 +30,30 @@ Scene::Scene(SceneDescription description)
   std::vector<LightFacts> lights;
   for (const Light& light : lights_) lights.push_back(facts(light));
   light_chooser_ = LightChooser(lights);
+}
+
+// What each piece's material asks for, next to what a hit reads anyway.
+void Scene::mark_details() {
+  const auto is_black_behind = [](const Material& material) { return material.back == BackSide::absorbing; };
+  if (std::any_of(materials_.begin(), materials_.end(), is_black_behind)) {
+    black_ = static_cast<MaterialId>(materials_.size());
+    materials_.push_back({"black", Lambert{black}, {}, {1}});
+  }
+  for (Group& group : geometry_.groups)
+    for (Piece& piece : group.pieces) piece.needs = materials_[index_of(piece.material)].needs(textures_);
+  for (const Emitter& emitter : geometry_.emitters)
+    if (!emitter.emission.is_constant())
+      geometry_.groups[emitter.group].pieces[emitter.piece].needs |=
+          textures_[index_of(emitter.emission.map)].needs();
+  for (Group& group : geometry_.groups)
+    for (Piece& piece : group.pieces)
+      piece.detail = detail_of(piece, geometry_, materials_[index_of(piece.material)]);
+}
+
+void Scene::add_detail(const Ray& ray, const Hit& hit, Surface& surface) const {
+  umbral::add_detail(geometry_, materials_[index_of(surface.material)], textures_, ray, hit, surface);
+  if ((surface.detail & surface_detail::black_back) != 0 && dot(ray.d, surface.ng) > 0)
+    surface.material = black_;
 }
 
 LightFacts Scene::facts(const Light& light) const {
@@ -83,6 +111,9 @@ std::vector<std::string> Scene::features() const {
   if (light_chooser_.has_tree()) names.insert("light tree");
   for (const Material& material : materials_) {
     if (!material.is_opaque()) names.insert("alpha");
+    if (material.back != BackSide::same) names.insert("one-sided materials");
+    if (material.has_normal_map()) names.insert("normal maps");
+    if (material.has_bump_map()) names.insert("bump maps");
     names.insert(std::visit([](const auto& lobe) { return std::string(lobe.kind); }, material.lobe));
   }
   return {names.begin(), names.end()};

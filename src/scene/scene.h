@@ -26,9 +26,13 @@ class Scene {
   std::optional<Hit> intersect(const Ray& ray) const { return accel_->intersect(ray); }
   bool occluded(const Ray& ray) const { return accel_->occluded(ray); }
 
-  Surface surface(const Ray& ray, const Hit& hit) const { return geometry_.surface(ray, hit); }
+  Surface surface(const Ray& ray, const Hit& hit) const {
+    Surface surface = geometry_.surface(ray, hit);
+    if (surface.detail != 0) add_detail(ray, hit, surface);
+    return surface;
+  }
   Lobes bsdf(const Surface& surface) const {
-    return materials_[index_of(surface.material)].at(surface.uv, textures_);
+    return materials_[index_of(surface.material)].at(surface.at, textures_);
   }
 
   // Radiance that leaves `surface` towards `wo` by emission; wo: unit, world, away from the surface.
@@ -69,12 +73,15 @@ class Scene {
   std::vector<std::string> features() const;
 
  private:
+  void mark_details();
+  void add_detail(const Ray& ray, const Hit& hit, Surface& surface) const;
   const AreaLight& area_light(LightId light) const { return std::get<AreaLight>(lights_[index_of(light)]); }
   LightFacts facts(const Light& light) const;
 
   CameraSettings camera_;
   std::vector<Texture> textures_;
   std::vector<Material> materials_;
+  MaterialId black_ = MaterialId::none;  // of inner sides that are black; none where there are no such
   Geometry geometry_;
   std::unique_ptr<Accel> accel_;
   std::vector<Light> lights_;                      // first the area lights, numbered as their emitters are

@@ -3,6 +3,7 @@
 
 #include "core/ray.h"
 #include "scene/ids.h"
+#include "scene/textures/texture_point.h"
 
 namespace umbral {
 
@@ -18,12 +19,13 @@ struct Hit {
 // A point of a surface, in world space.
 struct Surface {
   Vec3 p;
-  Vec3 ng;        // geometric normal, unit, on the outer side (the one that emits)
-  Frame shading;  // its n is the interpolated normal, on the same side as ng
-  Vec2 uv;
-  float error;  // bound on how far p lies from the true surface, along ng; world units
+  Vec3 ng;          // geometric normal, unit, on the outer side (the one that emits)
+  Frame shading;    // its n is the interpolated normal, on the same side as ng
+  TexturePoint at;  // what textures see
+  float error;      // bound on how far p lies from the true surface, along ng; world units
   MaterialId material = MaterialId::none;
   LightId light = LightId::none;
+  unsigned detail = 0;  // what its material asks for beyond this (surface_detail)
 
   // Where rays leave towards `direction`: p moved along ng out of the reach of its own error.
   Vec3 origin_towards(const Vec3& direction) const {

@@ -33,7 +33,9 @@ TracedMesh::TracedMesh(const Mesh& mesh)
     : vertices(mesh.positions.size()),
       triangles(mesh.triangles.size()),
       smooth(!mesh.normals.empty()),
-      mapped(!mesh.uvs.empty()) {
+      mapped(!mesh.uvs.empty()),
+      uvs1(mesh.uvs1.begin(), mesh.uvs1.end()),
+      colors(mesh.colors.begin(), mesh.colors.end()) {
   for (std::size_t i = 0; i < vertices.size(); ++i)
     vertices[i] = {mesh.positions[i], smooth ? mesh.normals[i] : Vec3{0}, mapped ? mesh.uvs[i] : Vec2{0}};
   const std::vector<Vec3>& p = mesh.positions;
@@ -41,6 +43,17 @@ TracedMesh::TracedMesh(const Mesh& mesh)
     const glm::uvec3& t = mesh.triangles[i];
     triangles[i] = made_triangle(t, p[t.x], p[t.y], p[t.z]);
   }
+}
+
+void TracedMesh::add_needed(std::uint32_t triangle, const Vec2& barycentric, unsigned needs,
+                            TexturePoint& point) const {
+  point.uv1 = point.uv;
+  if ((needs & texture_needs::uv1) != 0 && !uvs1.empty())
+    point.uv1 = mixed(triangle, barycentric, [&](std::uint32_t v) { return uvs1[v]; });
+  if ((needs & texture_needs::position) != 0)
+    point.p = mixed(triangle, barycentric, [&](std::uint32_t v) { return vertices[v].p; });
+  if ((needs & texture_needs::color) != 0 && !colors.empty())
+    point.color = mixed(triangle, barycentric, [&](std::uint32_t v) { return colors[v]; });
 }
 
 }  // namespace umbral

@@ -4,6 +4,7 @@
 #include "core/huge_pages.h"
 #include "core/math.h"
 #include "scene/shapes/mesh.h"
+#include "scene/textures/texture_point.h"
 
 namespace umbral {
 
@@ -27,19 +28,36 @@ static_assert(sizeof(Triangle) == 32);
 struct TracedMesh {
   HugeVector<Vertex> vertices;
   HugeVector<Triangle> triangles;
-  bool smooth = false;  // has normals
-  bool mapped = false;  // has uv
+  bool smooth = false;          // has normals
+  bool mapped = false;          // has uv
+  HugeVector<Vec2> uvs1;        // one a vertex; empty where the mesh has no second set
+  HugeVector<Spectrum> colors;  // likewise
 
   TracedMesh() = default;
   explicit TracedMesh(const Mesh& mesh);
 
+  // What of(vertex number) gives, interpolated.
+  template <class Of>
+  auto mixed(std::uint32_t triangle, const Vec2& barycentric, Of&& of) const {
+    const glm::uvec3& t = triangles[triangle].vertices;
+    return (1 - barycentric.x - barycentric.y) * of(t.x) + barycentric.x * of(t.y) + barycentric.y * of(t.z);
+  }
+
   // At barycentric coordinates of a triangle; the coordinates themselves where the mesh is not mapped.
   Vec2 uv(std::uint32_t triangle, const Vec2& barycentric) const {
-    if (!mapped) return barycentric;
-    const glm::uvec3& t = triangles[triangle].vertices;
-    return (1 - barycentric.x - barycentric.y) * vertices[t.x].uv + barycentric.x * vertices[t.y].uv +
-           barycentric.y * vertices[t.z].uv;
+    return mapped ? mixed(triangle, barycentric, [&](std::uint32_t v) { return vertices[v].uv; })
+                  : barycentric;
   }
+
+  // What textures see there; beside uv only what is in `needs` (texture_needs).
+  TexturePoint texture_point(std::uint32_t triangle, const Vec2& barycentric, unsigned needs) const {
+    TexturePoint point = uv(triangle, barycentric);
+    if (needs != 0) add_needed(triangle, barycentric, needs, point);
+    return point;
+  }
+
+ private:
+  void add_needed(std::uint32_t triangle, const Vec2& barycentric, unsigned needs, TexturePoint& point) const;
 };
 
 }  // namespace umbral

@@ -16,12 +16,11 @@ struct Met {
   unsigned instance, geometry, primitive;
 };
 
-// Whether a ray meets the surface at `uv`. The random number is a hash of the surface, the place and the ray's
+// Whether a ray meets the surface at `point`. The random number is a hash of the surface, the place and the ray's
 // direction: another one for every ray and layer, the same for the same ray, and the same in a scene of another size.
-bool is_met(const PieceContext& context, const Vec2& uv, const Vec2& place, const Vec3& d, const Met& met) {
-  const Textured<float>& alpha = context.material->alpha;
-  const float opacity =
-      alpha.is_constant() ? alpha.value : (*context.textures)[index_of(alpha.map)].number(uv);
+bool is_met(const PieceContext& context, const TexturePoint& point, const Vec2& place, const Vec3& d,
+            const Met& met) {
+  const float opacity = context.material->opacity(point, *context.textures);
   if (opacity >= 1) return true;
   if (opacity <= 0) return false;
   std::uint64_t hash = hash_combine((std::uint64_t{met.instance} << 32) | met.geometry, met.primitive);
@@ -36,9 +35,15 @@ void alpha_filter(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const Vec2 barycentric{hit->u, hit->v};
-  const Vec2 uv = context.geometry->meshes[context.piece->mesh].uv(hit->primID, barycentric);
   const Vec3 d{ray->dir_x, ray->dir_y, ray->dir_z};
-  if (!is_met(context, uv, barycentric, d, {hit->instID[0], hit->geomID, hit->primID})) args->valid[0] = 0;
+  const TracedMesh& mesh = context.geometry->meshes[context.piece->mesh];
+  // The sign of d·n is the same in any space, so it does not matter which one an instance's ray is in.
+  if (context.material->back == BackSide::clear && dot(d, mesh.triangles[hit->primID].n) > 0) {
+    args->valid[0] = 0;
+    return;
+  }
+  const TexturePoint point = mesh.texture_point(hit->primID, barycentric, context.piece->needs);
+  if (!is_met(context, point, barycentric, d, {hit->instID[0], hit->geomID, hit->primID})) args->valid[0] = 0;
 }
 
 void user_bounds(const RTCBoundsFunctionArguments* args) {
@@ -66,10 +71,16 @@ std::optional<float> first_hit(const PieceContext& context, const RTCRay& ray, c
     const std::optional<double> t =
         std::visit([&](const auto& shape) { return shape.intersect(o, d, t_min, ray.tfar); }, placed.shape);
     if (!t) return std::nullopt;
-    if (context.material->is_opaque()) return static_cast<float>(*t);
-    const Vec2 uv =
-        std::visit([&](const auto& shape) { return Vec2(shape.nearest(o + *t * d).uv); }, placed.shape);
-    if (is_met(context, uv, uv, Vec3(d_group), met)) return static_cast<float>(*t);
+    if (context.material->stops_all()) return static_cast<float>(*t);
+    const SurfacePoint surface =
+        std::visit([&](const auto& shape) { return shape.nearest(o + *t * d); }, placed.shape);
+    TexturePoint point = Vec2(surface.uv);
+    point.uv1 = point.uv;
+    point.p = Vec3(placed.to_group.point(surface.p));
+    const bool is_behind = dot(d, surface.n) > 0;  // in the canonical space
+    if (!(is_behind && context.material->back == BackSide::clear) &&
+        is_met(context, point, point.uv, Vec3(d_group), met))
+      return static_cast<float>(*t);
     t_min = std::nextafter(*t, std::numeric_limits<double>::infinity());
   }
 }

@@ -54,6 +54,10 @@ class ParameterFiller final : public ParameterVisitor {
     value = file_;
     add(info, fmt::format("\"{}\"", value));
   }
+  void operator()(const ParameterInfo& info, ColorStops& value) override {
+    value = {{0.25f, rgb(1, 0.5f, 0.25f)}, {0.5f, grey(0.125f)}, {2, grey(3)}};
+    add(info, "[[0.25, [1, 0.5, 0.25]], [0.5, 0.125], [2, 3]]");
+  }
   void operator()(const ParameterInfo& info, Textured<float>& value) override { (*this)(info, value.value); }
   void operator()(const ParameterInfo& info, Textured<Spectrum>& value) override {
     (*this)(info, value.value);
@@ -98,6 +102,12 @@ class ParameterDump final : public ParameterVisitor {
     add(info, fmt::format("{} {} {} {}", v.r, v.g, v.b, v.a));
   }
   void operator()(const ParameterInfo& info, std::string& v) override { add(info, v); }
+  void operator()(const ParameterInfo& info, ColorStops& v) override {
+    std::string text;
+    for (const ColorStop& stop : v)
+      text += fmt::format(" {}: {} {} {}", stop.at, stop.color.r, stop.color.g, stop.color.b);
+    add(info, text);
+  }
   void operator()(const ParameterInfo& info, Textured<float>& v) override { (*this)(info, v.value); }
   void operator()(const ParameterInfo& info, Textured<Spectrum>& v) override { (*this)(info, v.value); }
   void choice(const ParameterInfo& info, int& index, std::span<const char* const> names) override {

@@ -202,5 +202,22 @@ TEST(PlyErrors, OfWhatIsNoMesh) {
       "the faces have no list 'vertex_indices'"));
 }
 
+// Whole numbers are sRGB codes, others linear; alpha is neither.
+TEST(Ply, ColoursOfVertices) {
+  const auto colored = [](const std::string& type, const std::string& values) {
+    return read(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property " +
+        type + " red\nproperty " + type + " green\nproperty " + type + " blue\nproperty " + type +
+        " alpha\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " + values +
+        "\n1 0 0 " + values + "\n0 1 0 " + values + "\n3 0 1 2\n");
+  };
+  const Mesh codes = colored("uchar", "255 128 0 51");
+  ASSERT_EQ(codes.colors.size(), 3u);
+  EXPECT_EQ(codes.colors[1], Spectrum(1, srgb_decode(128 / 255.0f), 0, 51 / 255.0f));
+  EXPECT_EQ(colored("ushort", "65535 0 0 13107").colors[0], Spectrum(1, 0, 0, 0.2f));
+  EXPECT_EQ(colored("float", "0.25 0.5 1 0.75").colors[2], Spectrum(0.25f, 0.5f, 1, 0.75f));
+}
+
 }  // namespace
 }  // namespace umbral

@@ -171,5 +171,27 @@ TEST(AutomaticCamera, StandsInForAMissingOne) {
             "scene.toml: warning: no camera is given; it is put at [0, 0, 4.0222], looking at [0, 0, 0]\n");
 }
 
+// What textures ask of a mesh and it has not.
+TEST(SceneWarnings, MissingAttributesOfMeshes) {
+  const std::string triangle =
+      "type = \"mesh\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]\n";
+  const auto warnings = [&](const std::string& parameter, const std::string& attributes = "") {
+    return warnings_of(std::string(camera) + "[materials.m]\ntype = \"matte\"\n" + parameter + environment +
+                       shape(triangle + attributes));
+  };
+  const std::string color = "reflectance = { type = \"vertex_color\" }\n";
+  EXPECT_TRUE(
+      contains(warnings(color), "mesh has no vertex colours, which textures of 'm' ask for: they are white"));
+  EXPECT_EQ(warnings(color, "colors = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"), "");
+  const std::string second = "reflectance = { type = \"checker\", uv_set = 1 }\n";
+  EXPECT_TRUE(
+      contains(warnings(second), "mesh has no second uv, which textures of 'm' ask for: the first is used"));
+  EXPECT_EQ(warnings(second, "uvs1 = [[0, 0], [1, 0], [0, 1]]\n"), "");
+  EXPECT_TRUE(contains(warnings("normal_map = { type = \"checker\" }\n"), "mesh has no uv"));
+  EXPECT_TRUE(contains(warnings("bump_map = 0.5\n"), "no slope and no effect"));
+  EXPECT_TRUE(
+      contains(warnings("", "colors = [[1, 0, 0], [0, 1, 0], [0, 0, 2]]\n"), "cut 1 vertex colour to 0 … 1"));
+}
+
 }  // namespace
 }  // namespace umbral

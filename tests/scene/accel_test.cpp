@@ -245,7 +245,7 @@ TEST(Accel, IsBlindToPowersOfTwo) {
       EXPECT_EQ(x.p * static_cast<float>(factor), y.p);
       EXPECT_EQ(x.ng, y.ng);
       EXPECT_EQ(x.error * static_cast<float>(factor), y.error);
-      EXPECT_EQ(x.uv, y.uv);
+      EXPECT_EQ(x.at.uv, y.at.uv);
     }
     EXPECT_GT(hits, 2000);
   }

@@ -127,16 +127,16 @@ TEST_P(Surfaces, KeepTheirUv) {
       const Vec3d q = place.point(p.p), above = place.point(p.p + 1e-3 * p.n);
       const auto on_ring = seen(ring_scene, {Vec3(above), Vec3(q - above)});
       ASSERT_TRUE(on_ring);
-      EXPECT_NEAR(on_ring->uv.x, uv.x, 1e-3);
-      EXPECT_NEAR(on_ring->uv.y, uv.y, 1e-3);
+      EXPECT_NEAR(on_ring->at.uv.x, uv.x, 1e-3);
+      EXPECT_NEAR(on_ring->at.uv.y, uv.y, 1e-3);
 
       const double b = random.between(0.01, 0.98), c = random.between(0.01, 0.99 - b), a = 1 - b - c;
       const Vec3d on = a * Vec3d(-1, -1, 0) + b * Vec3d(2, -1, 0) + c * Vec3d(0, 2, 1);
       const Vec3d r = place.point(on), from = place.point(on + Vec3d(0, 0, 1));
       const auto on_mesh = seen(mesh_scene, {Vec3(from), Vec3(r - from)});
       ASSERT_TRUE(on_mesh);
-      EXPECT_NEAR(on_mesh->uv.x, a * 0.1 + b * 0.9 + c * 0.4, 1e-5);
-      EXPECT_NEAR(on_mesh->uv.y, a * 0.2 + b * 0.3 + c * 0.8, 1e-5);
+      EXPECT_NEAR(on_mesh->at.uv.x, a * 0.1 + b * 0.9 + c * 0.4, 1e-5);
+      EXPECT_NEAR(on_mesh->at.uv.y, a * 0.2 + b * 0.3 + c * 0.8, 1e-5);
     }
   }
 }
@@ -179,8 +179,8 @@ TEST(Surfaces, OfAMeshWithoutUvHaveBarycentricOnes) {
   const Scene scene(world_of(polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), {}, false));
   const auto surface = seen(scene, {{0.25f, 0.5f, 1}, {0, 0, -1}});
   ASSERT_TRUE(surface);
-  EXPECT_NEAR(surface->uv.x, 0.25, 1e-6);
-  EXPECT_NEAR(surface->uv.y, 0.5, 1e-6);
+  EXPECT_NEAR(surface->at.uv.x, 0.25, 1e-6);
+  EXPECT_NEAR(surface->at.uv.y, 0.5, 1e-6);
 }
 
 // Each face of a box has its own unit square of uv, seen upright and not mirrored from outside.
@@ -195,7 +195,7 @@ TEST(Surfaces, OfABoxHaveAUnitSquareOfUvOnEachFace) {
         relative[(axis + 2) % 3] = b;
         Vec3 d(0);
         d[axis] = static_cast<float>(-side);
-        return seen(scene, {Vec3(relative * Vec3d(1, 2, 3)), d})->uv;
+        return seen(scene, {Vec3(relative * Vec3d(1, 2, 3)), d})->at.uv;
       };
       const Vec2 o = uv_at(0.1, 0.2), a = uv_at(0.9, 0.2), b = uv_at(0.1, 0.8);
       const Vec2 along_a = (a - o) / 0.8f, along_b = (b - o) / 0.6f;

@@ -43,7 +43,7 @@ inline MaterialId add_matte(SceneDescription& scene, TextureId reflectance) {
 
 inline TextureId add_texture(SceneDescription& scene, TextureKinds kind) {
   Texture texture{"", std::move(kind)};
-  texture.prepare();
+  texture.prepare(scene.textures);
   scene.textures.push_back(std::move(texture));
   return static_cast<TextureId>(scene.textures.size() - 1);
 }

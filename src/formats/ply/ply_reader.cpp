@@ -11,11 +11,12 @@
 namespace umbral {
 namespace {
 
-// Where a value of a vertex goes: 0 … 2 position, 3 … 5 normal, 6 and 7 uv.
-constexpr std::size_t slots = 8, no_slot = slots;
+// Where a value of a vertex goes: 0 … 2 position, 3 … 5 normal, 6 and 7 uv, 8 … 11 colour and alpha.
+constexpr std::size_t slots = 12, no_slot = slots;
 
 std::size_t slot_of(const std::string& property) {
-  static constexpr std::array<const char*, slots> names{"x", "y", "z", "nx", "ny", "nz", "u", "v"};
+  static constexpr std::array<const char*, slots> names{"x", "y", "z",   "nx",    "ny",   "nz",
+                                                        "u", "v", "red", "green", "blue", "alpha"};
   static constexpr std::array<std::array<const char*, 2>, 3> other_uvs{
       {{"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
   for (std::size_t i = 0; i < slots; ++i)
@@ -24,6 +25,16 @@ std::size_t slot_of(const std::string& property) {
     for (std::size_t i = 0; i < 2; ++i)
       if (property == uv[i]) return 6 + i;
   return no_slot;
+}
+
+// Colours as whole numbers are sRGB codes, as scanners and modellers write them; others are linear.
+bool is_code(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
+
+Spectrum color_of(const std::array<float, slots>& v, bool coded, bool has_alpha, float most) {
+  Spectrum color(v[8], v[9], v[10], has_alpha ? v[11] : most);
+  if (!coded) return color;
+  color /= most;
+  return {srgb_decode(color.r), srgb_decode(color.g), srgb_decode(color.b), color.a};
 }
 
 template <class Values>
@@ -82,6 +93,9 @@ void BodyReader<Values>::read_vertices(const PlyElement& element) {
   }
   if (!has[0] || !has[1] || !has[2]) values_.fail("the vertices have no x, y and z");
   const bool normals = has[3] && has[4] && has[5], uvs = has[6] && has[7];
+  const bool colors = has[8] && has[9] && has[10];
+  const PlyType color_type = colors ? element.properties[*element.find("red")].type : PlyType::float32;
+  const float most = color_type == PlyType::uint8 ? 255 : color_type == PlyType::uint16 ? 65535 : 1;
   mesh_.positions.reserve(element.count);
   if (normals) mesh_.normals.reserve(element.count);
   if (uvs) mesh_.uvs.reserve(element.count);
@@ -97,6 +111,7 @@ void BodyReader<Values>::read_vertices(const PlyElement& element) {
     if (!is_finite(mesh_.positions.back())) values_.fail(fmt::format("vertex {} is not finite", i));
     if (normals) mesh_.normals.push_back({v[3], v[4], v[5]});
     if (uvs) mesh_.uvs.push_back({v[6], v[7]});
+    if (colors) mesh_.colors.push_back(color_of(v, is_code(color_type), has[11], most));
   }
 }
 

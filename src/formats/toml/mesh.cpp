@@ -70,6 +70,14 @@ bool read_per_vertex(TableReader& table, const char* key, const Mesh& mesh,
   return false;
 }
 
+// Linear red, green and blue of each vertex.
+bool read_colors(TableReader& table, Mesh& mesh) {
+  std::vector<Vec3> colors;
+  if (!read_per_vertex(table, "colors", mesh, colors)) return false;
+  for (const Vec3& color : colors) mesh.colors.emplace_back(color, 1);
+  return true;
+}
+
 }  // namespace
 
 bool read_written_mesh(TableReader& table, Mesh& mesh) {
@@ -83,7 +91,9 @@ bool read_written_mesh(TableReader& table, Mesh& mesh) {
   if (!faces) table.missing("faces");
   if (!vertices || !faces || !read_vectors(table, "vertices", *vertices, mesh.positions)) return false;
   bool good = read_per_vertex(table, "uvs", mesh, mesh.uvs);
+  good &= read_per_vertex(table, "uvs1", mesh, mesh.uvs1);
   good &= read_per_vertex(table, "normals", mesh, mesh.normals);
+  good &= read_colors(table, mesh);
   const auto* list = faces->as<Value::Array>();
   if (!list) {
     table.wrong_type("faces", *faces, "a list of lists of vertex numbers");
@@ -94,7 +104,7 @@ bool read_written_mesh(TableReader& table, Mesh& mesh) {
 }
 
 void refuse_written_mesh(TableReader& table) {
-  for (const char* key : {"vertices", "faces", "uvs", "normals"})
+  for (const char* key : {"vertices", "faces", "uvs", "uvs1", "normals", "colors"})
     if (const Entry* entry = table.find_entry(key))
       table.context().error(*entry, fmt::format("'{}' has no effect in a mesh that has a 'file'", key));
 }

@@ -179,6 +179,29 @@ void ParameterReader::operator()(const ParameterInfo& info, std::string& value) 
     value = *read;
 }
 
+bool ParameterReader::read_stop(const ParameterInfo& info, const Value& value, ColorStop& stop) {
+  const auto* pair = value.as<Value::Array>();
+  if (!pair || pair->size() != 2 || !(*pair)[0].number()) {
+    table_.context().error(
+        value, fmt::format("'{}' of '{}' must hold pairs [number, colour]", info.name, table_.owner()));
+    return false;
+  }
+  const ParameterInfo of_color{info.name, info.doc, non_negative};
+  return read_number(info, (*pair)[0], stop.at) && read_color(of_color, (*pair)[1], stop.color);
+}
+
+void ParameterReader::operator()(const ParameterInfo& info, ColorStops& value) {
+  const Value* found = find(info);
+  if (!found) return;
+  const auto* items = found->as<Value::Array>();
+  if (!items || items->empty())
+    return table_.wrong_type(info.name, *found, "a list of pairs [number, colour]");
+  ColorStops stops(items->size(), {0, black});
+  bool good = true;
+  for (std::size_t i = 0; i < stops.size(); ++i) good &= read_stop(info, (*items)[i], stops[i]);
+  if (good) value = std::move(stops);
+}
+
 bool ParameterReader::names_texture(const Value& value) const {
   const auto* text = value.as<std::string>();
   return value.as<Value::Table>() || (text && !text->starts_with('#'));

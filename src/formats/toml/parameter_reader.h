@@ -24,6 +24,7 @@ class ParameterReader final : public ParameterVisitor {
   void operator()(const ParameterInfo& info, Vec3& value) override;
   void operator()(const ParameterInfo& info, Spectrum& value) override;
   void operator()(const ParameterInfo& info, std::string& value) override;
+  void operator()(const ParameterInfo& info, ColorStops& value) override;
   void operator()(const ParameterInfo& info, Textured<float>& value) override;
   void operator()(const ParameterInfo& info, Textured<Spectrum>& value) override;
   void choice(const ParameterInfo& info, int& index, std::span<const char* const> names) override;
@@ -40,6 +41,7 @@ class ParameterReader final : public ParameterVisitor {
                       Spectrum& color);
   template <int N>
   bool read_numbers(const ParameterInfo& info, const Value& value, glm::vec<N, float>& numbers);
+  bool read_stop(const ParameterInfo& info, const Value& value, ColorStop& stop);
   bool names_texture(const Value& value) const;
   template <class T>
   void read_texture(const ParameterInfo& info, const Value& value, Textured<T>& textured);

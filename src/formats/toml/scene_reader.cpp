@@ -34,6 +34,7 @@ class SceneReader {
   void read_camera();
   void read_integrator(const IntegratorKinds& integrators, std::string& chosen);
   std::optional<MaterialId> read_material(const Entry& entry, const Value::Table& entries);
+  void check_detail(TableReader& table, const Material& material) const;
   std::optional<ObjectId> read_object(const Entry& entry, const Value::Table& entries);
   void read_instance(const Value& item, const Value::Table& entries);
   void check_content() const;
@@ -109,9 +110,23 @@ std::optional<MaterialId> SceneReader::read_material(const Entry& entry, const V
   table.rename(*kind);
   Material material{entry.key, *make_kind<Lobes>(*kind), {}, {1}};
   ParameterReader parameters(table, &textures_);
+  textures_.set_asker(fmt::format("material '{}'", entry.key));
   for_each_material_parameter(material, parameters);
+  textures_.set_asker("");
+  check_detail(table, material);
   table.finish();
   return builder_.add(std::move(material), table.place());
+}
+
+// What has no effect is not what was meant.
+void SceneReader::check_detail(TableReader& table, const Material& material) const {
+  const auto blame = [&](const char* key, const char* message) {
+    if (table.has(key)) context_.error(*table.find_entry(key), message);
+  };
+  if (material.alpha_mode != AlphaMode::mask)
+    blame("alpha_cutoff", "'alpha_cutoff' has no effect unless alpha_mode is \"mask\"");
+  if (!table.has("normal_map")) blame("normal_scale", "'normal_scale' has no effect without 'normal_map'");
+  if (!table.has("bump_map")) blame("bump_scale", "'bump_scale' has no effect without 'bump_map'");
 }
 
 std::optional<ObjectId> SceneReader::read_object(const Entry& entry, const Value::Table& entries) {
@@ -155,7 +170,7 @@ void SceneReader::read(const IntegratorKinds& integrators, SceneFile& result) {
   read_described(result.film);
   read_described(result.sampling);
   read_integrator(integrators, result.integrator);
-  if (const Value* section = root_.find("textures")) textures_.read_section(*section);
+  if (const Value* section = root_.find("textures")) textures_.open_section(*section);
   if (const Value* section = root_.find("materials"))
     materials_.read_section(*section,
                             [&](const Entry& e, const Value::Table& t) { return read_material(e, t); });
@@ -167,6 +182,7 @@ void SceneReader::read(const IntegratorKinds& integrators, SceneFile& result) {
     for_each_table(context_, *list, "instances",
                    [&](const Value& item, const Value::Table& entries) { read_instance(item, entries); });
   if (const Value* list = root_.find("lights")) lights_.read(*list);
+  textures_.read_rest();
   root_.finish("section");
   check_content();
 }

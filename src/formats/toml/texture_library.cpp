@@ -8,8 +8,8 @@
 
 namespace umbral::toml_file {
 
-void TextureLibrary::read_section(const Value& section) {
-  named_.read_section(section, [&](const Entry& entry, const Value::Table& table) {
+void TextureLibrary::open_section(const Value& section) {
+  named_.open_section(section, [&](const Entry& entry, const Value::Table& table) {
     return read(table, entry.key, context_.place(entry));
   });
 }
@@ -21,8 +21,8 @@ std::optional<TextureId> TextureLibrary::read(const Value::Table& table, std::st
   if (!kind) return std::nullopt;
   reader.rename(*kind);
   Texture texture{std::move(name), *make_kind<TextureKinds>(*kind)};
-  ParameterReader parameters(reader, nullptr);
-  const bool good = std::visit(
+  ParameterReader parameters(reader, this);
+  bool good = std::visit(
       [&](auto& value) {
         for_each_parameter(value, parameters);
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, ImageTexture>)
@@ -30,10 +30,24 @@ std::optional<TextureId> TextureLibrary::read(const Value::Table& table, std::st
         return true;
       },
       texture.kind);
+  good &= check(texture, reader);
   reader.finish();
   if (!good) return std::nullopt;
-  texture.prepare();
+  texture.prepare(builder_.textures);
   return builder_.add(std::move(texture));
+}
+
+bool TextureLibrary::check(const Texture& texture, TableReader& table) const {
+  const auto* ramp = std::get_if<RampTexture>(&texture.kind);
+  if (!ramp) return true;
+  for (std::size_t i = 1; i < ramp->stops.size(); ++i)
+    if (!(ramp->stops[i - 1].at < ramp->stops[i].at)) {
+      context_.error(*table.find("stops"),
+                     fmt::format("the numbers of 'stops' must rise, but {} is followed by {}",
+                                 ramp->stops[i - 1].at, ramp->stops[i].at));
+      return false;
+    }
+  return true;
 }
 
 bool TextureLibrary::load_image(ImageTexture& texture, TableReader& table) {
@@ -42,7 +56,10 @@ bool TextureLibrary::load_image(ImageTexture& texture, TableReader& table) {
   try {
     texture.image = builder_.image((folder_ / texture.file).lexically_normal(), texture.color_space, place);
   } catch (const SceneError& error) {
-    context_.diagnostics.error(place, error);
+    for (const Diagnostic& diagnostic : error.diagnostics())
+      context_.diagnostics.error(
+          place, SceneError(diagnostic.where,
+                            diagnostic.message + (asker_.empty() ? "" : "; asked for by " + asker_)));
   }
   return texture.image != nullptr;
 }
@@ -51,7 +68,20 @@ std::optional<TextureId> TextureLibrary::find(const Value& value, const Paramete
   const auto* table = value.as<Value::Table>();
   const auto id = table ? read(*table, "", context_.place(value)) : named_.find(value);
   if (!id || !keeps_range(value, info, builder_.textures[index_of(*id)], as_color)) return std::nullopt;
+  if (std::string_view(info.name) == "normal_map" && !suits_normals(value, builder_.textures[index_of(*id)]))
+    return std::nullopt;
   return id;
+}
+
+// Normals that were decoded as colours lean the wrong way, which is easier said than seen.
+bool TextureLibrary::suits_normals(const Value& value, const Texture& texture) const {
+  const auto* image = std::get_if<ImageTexture>(&texture.kind);
+  if (!image || !image->image->is_srgb()) return true;
+  context_.error(value,
+                 fmt::format("a normal map holds no colours, but {} is read as sRGB; write color_space = "
+                             "\"linear\" there",
+                             texture.name.empty() ? "its image" : fmt::format("texture '{}'", texture.name)));
+  return false;
 }
 
 bool TextureLibrary::keeps_range(const Value& value, const ParameterInfo& info, const Texture& texture,

@@ -17,8 +17,12 @@ class TextureLibrary {
   TextureLibrary(const Context& context, SceneBuilder& builder, std::filesystem::path folder)
       : context_(context), builder_(builder), folder_(std::move(folder)), named_(context, "texture") {}
 
-  // Reads the section [textures].
-  void read_section(const Value& section);
+  // Makes the section [textures] known: each is read when it is first asked for, or by read_rest().
+  void open_section(const Value& section);
+  void read_rest() { named_.read_rest(); }
+
+  // Who asks from now on, for messages on files that cannot be read: "material 'gold'".
+  void set_asker(std::string asker) { asker_ = std::move(asker); }
 
   // The texture that `value` names or holds, for the parameter `info`, whose range its values must keep.
   // None where it is no good, which has been told.
@@ -29,14 +33,17 @@ class TextureLibrary {
 
  private:
   std::optional<TextureId> read(const Value::Table& table, std::string name, const Place& place);
+  bool check(const Texture& texture, TableReader& table) const;
   bool load_image(ImageTexture& texture, TableReader& table);
   bool keeps_range(const Value& value, const ParameterInfo& info, const Texture& texture,
                    bool as_color) const;
+  bool suits_normals(const Value& value, const Texture& texture) const;
 
   const Context& context_;
   SceneBuilder& builder_;
   std::filesystem::path folder_;
   NameTable<TextureId> named_;
+  std::string asker_;
 };
 
 }  // namespace umbral::toml_file

@@ -22,7 +22,9 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
     from_world_ = geometry.instances[emitter.instance].from_world;
   }
   const Piece& piece = geometry.groups[emitter.group].pieces[emitter.piece];
-  opacity_ = materials[index_of(piece.material)].alpha;
+  material_ = &materials[index_of(piece.material)];
+  if (material_->back == BackSide::clear) emitter_.two_sided = false;  // no ray meets its inner side
+  needs_ = piece.needs;
   if (piece.analytic != no_index) {
     analytic_ = &geometry.analytics[piece.analytic];
     to_world_ = to_world_ * analytic_->to_group;
@@ -91,7 +93,17 @@ Vec3d AreaLight::world(const Vec3& p) const { return to_world_.point(Vec3d(p)); 
 
 AreaLight::Point AreaLight::rectangle_point(const Vec2& u) const {
   const Vec3 p = rectangle_.origin + u.x * rectangle_.edge_u + u.y * rectangle_.edge_v;
-  return {p, rectangle_normal_, rectangle_error_, u, 0};
+  TexturePoint at = u;
+  if (needs_ != 0)
+    add_needed(at, Vec3d(emitter_.rectangle->origin + u.x * emitter_.rectangle->edge_u +
+                         u.y * emitter_.rectangle->edge_v));
+  return {p, rectangle_normal_, rectangle_error_, at, 0};
+}
+
+// Of a shape that has no vertices of its own.
+void AreaLight::add_needed(TexturePoint& at, const Vec3d& p_group) {
+  at.uv1 = at.uv;
+  at.p = Vec3(p_group);
 }
 
 AreaLight::Corners AreaLight::corners_of(std::uint32_t triangle) const {
@@ -106,14 +118,16 @@ AreaLight::Point AreaLight::triangle_point(std::uint32_t index, const Vec2& b) c
   const Vec3d p = world((1 - b.x - b.y) * a + b.x * e + b.y * f);
   const Vec3d n = cross(Vec3d(e) - Vec3d(a), Vec3d(f) - Vec3d(a));
   return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))),
-          std::max(surface_error(triangle.magnitude), placed_error_), mesh_->uv(index, b)};
+          std::max(surface_error(triangle.magnitude), placed_error_), mesh_->texture_point(index, b, needs_)};
 }
 
 AreaLight::Point AreaLight::analytic_point(const Vec2& u) const {
   const SurfacePoint s = std::visit([&](const auto& shape) { return shape.sample(u); }, analytic_->shape);
   const Vec3d p = to_world_.point(s.p);
+  TexturePoint at = Vec2(s.uv);
+  if (needs_ != 0) add_needed(at, analytic_->to_group.point(s.p));
   return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(s.n))),
-          std::max(surface_error(max_component(Vec3(glm::abs(p)))), placed_error_), Vec2(s.uv), 0};
+          std::max(surface_error(max_component(Vec3(glm::abs(p)))), placed_error_), at, 0};
 }
 
 AreaLight::Point AreaLight::point(const Vec2& u) const {
@@ -146,13 +160,15 @@ float AreaLight::cone_pdf_along(const SphereCone& cone, const Vec3& wi) const {
 AreaLight::Point AreaLight::sphere_point(const Vec3& p, const SphereCone& cone, const Vec2& u) const {
   const Vec3d n = cone.sample(u);
   const Vec3d q = to_world_.point(n);
-  Vec2 uv{0, 0};
-  if (!emitter_.emission.is_constant() || !opacity_.is_constant())
-    uv = Vec2(std::get<Sphere>(analytic_->shape).nearest(n).uv);
+  TexturePoint at;
+  if (!emitter_.emission.is_constant() || !material_->alpha.is_constant()) {
+    at = Vec2(std::get<Sphere>(analytic_->shape).nearest(n).uv);
+    if (needs_ != 0) add_needed(at, analytic_->to_group.point(n));
+  }
   return {Vec3(q),
           Vec3(glm::normalize(from_world_.transposed(n))),
           std::max(surface_error(max_component(Vec3(glm::abs(q)))), placed_error_),
-          uv,
+          at,
           cone_pdf_along(cone, Vec3(glm::normalize(q - Vec3d(p)))),
           true};
 }
@@ -256,7 +272,7 @@ std::optional<LightSample> AreaLight::sample(const LightReceiver& receiver, cons
   if (!(pdf > 0) || !std::isfinite(pdf)) return result;
   result.emplace();
   result->wi = wi;
-  result->radiance = emission_at(q.uv) * opacity_at(q.uv);
+  result->radiance = emission_at(q.at) * opacity_at(q.at);
   result->pdf = pdf;
   result->distance = distance;
   result->target = q.p + (cosine < 0 ? -q.error : q.error) * q.n;
@@ -278,20 +294,17 @@ float AreaLight::pdf(const LightReceiver& receiver, const Surface& surface, cons
   return area_pdf(surface.ng) * area_to_angle;
 }
 
-Spectrum AreaLight::emission_at(const Vec2& uv) const {
+Spectrum AreaLight::emission_at(const TexturePoint& point) const {
   if (emitter_.emission.is_constant()) return emitter_.emission.value;
-  return (*textures_)[index_of(emitter_.emission.map)].color(uv) * rgb(1, 1, 1);
+  return (*textures_)[index_of(emitter_.emission.map)].color(point) * rgb(1, 1, 1);
 }
 
 // Rays meet the surface with this probability; samples, which go straight to it, carry it as a factor.
-float AreaLight::opacity_at(const Vec2& uv) const {
-  if (opacity_.is_constant()) return opacity_.value;
-  return glm::clamp((*textures_)[index_of(opacity_.map)].number(uv), 0.0f, 1.0f);
-}
+float AreaLight::opacity_at(const TexturePoint& point) const { return material_->opacity(point, *textures_); }
 
 Spectrum AreaLight::emitted(const Surface& surface, const Vec3& wo) const {
   if (dot(wo, surface.ng) <= 0 && !emitter_.two_sided) return black;
-  return emission_at(surface.uv);
+  return emission_at(surface.at);
 }
 
 double AreaLight::power() const {
@@ -302,7 +315,7 @@ double AreaLight::power() const {
     for (int x = 0; x < grid; ++x) {
       const Vec2 u{(static_cast<float>(x) + 0.5f) / grid, (static_cast<float>(y) + 0.5f) / grid};
       const Point q = point(u);
-      sum += (luminance(emission_at(q.uv)) * opacity_at(q.uv) + least_emission()) / q.pdf;
+      sum += (luminance(emission_at(q.at)) * opacity_at(q.at) + least_emission()) / q.pdf;
     }
   return sum / (grid * grid) * pi_d * (emitter_.two_sided ? 2 : 1);
 }

@@ -19,7 +19,7 @@ namespace umbral {
 // the world itself are chosen by a light tree, those of an instance by area.
 class AreaLight {
  public:
-  // `geometry` must outlive the light.
+  // All but the emitter must outlive the light.
   AreaLight(const Geometry& geometry, const Emitter& emitter, const std::vector<Material>& materials,
             const std::vector<Texture>& textures);
 
@@ -38,7 +38,7 @@ class AreaLight {
   struct Point {
     Vec3 p, n;
     float error;  // as that of a Surface
-    Vec2 uv;
+    TexturePoint at;
     float pdf = 0;                // per world area, or
     bool by_solid_angle = false;  // per solid angle
   };
@@ -71,14 +71,16 @@ class AreaLight {
   Vec3d world(const Vec3& p) const;
   float placed_error() const;
   float area_pdf(const Vec3& n) const;  // n: unit, world, outer side
-  Spectrum emission_at(const Vec2& uv) const;
-  float opacity_at(const Vec2& uv) const;
+  Spectrum emission_at(const TexturePoint& point) const;
+  float opacity_at(const TexturePoint& point) const;
+  static void add_needed(TexturePoint& at, const Vec3d& p_group);
   float least_emission() const;
 
   const Geometry* geometry_;
   const std::vector<Texture>* textures_;
   Emitter emitter_;
-  Textured<float> opacity_{1};
+  const Material* material_;
+  unsigned needs_ = 0;                     // of its textures, beside uv
   const TracedMesh* mesh_ = nullptr;       // of a triangle mesh
   const PlacedShape* analytic_ = nullptr;  // of the others
   Affine to_world_, from_world_;           // from group space; from canonical space where analytic

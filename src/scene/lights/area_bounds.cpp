@@ -69,7 +69,7 @@ LightBounds AreaLight::triangle_bounds(std::uint32_t triangle) const {
   if (!(length > 0)) return bounds;  // without intensity
   bounds.normals = {n / length, 1e-6};
   bounds.two_sided = emitter_.two_sided;
-  const Vec2 middle = mesh_->uv(triangle, Vec2(1.0f / 3));
+  const TexturePoint middle = mesh_->texture_point(triangle, Vec2(1.0f / 3), needs_);
   bounds.intensity = length / 2 * (luminance(emission_at(middle)) * opacity_at(middle) + least_emission());
   return bounds;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "core/spectrum.h"
 #include "scene/transform.h"
 
 namespace umbral {
@@ -21,8 +22,10 @@ struct Mesh {
       std::tuple{parameter<&Mesh::file>("file", "PLY or OBJ file, relative to the scene file")};
 
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  // empty, or one a vertex, unit length
-  std::vector<Vec2> uvs;      // empty, or one a vertex
+  std::vector<Vec3> normals;     // empty, or one a vertex, unit length
+  std::vector<Vec2> uvs;         // empty, or one a vertex
+  std::vector<Vec2> uvs1;        // a second set, likewise
+  std::vector<Spectrum> colors;  // linear, with alpha, each in [0, 1]; likewise
   std::vector<glm::uvec3> triangles;
 
   // Applied to every vertex and normal; where the map mirrors, the winding is turned so that outside stays outside.

@@ -3,8 +3,8 @@
 
 namespace umbral {
 
-Spectrum CheckerTexture::evaluate(const Vec2& uv) const {
-  const Vec2 square = glm::floor(uv_map(uv));
+Spectrum CheckerTexture::evaluate(const TexturePoint& point) const {
+  const Vec2 square = glm::floor(placed(point));
   const float parity = square.x + square.y - 2 * std::floor((square.x + square.y) / 2);
   return parity == 0 ? even : odd;
 }

@@ -3,8 +3,8 @@
 
 namespace umbral {
 
-Spectrum ImageTexture::evaluate(const Vec2& uv) const {
-  return image->lookup(uv_map(uv), wrap, filter) * factor + bias;
+Spectrum ImageTexture::evaluate(const TexturePoint& point) const {
+  return image->lookup(placed(point), wrap, filter) * factor + bias;
 }
 
 TextureBounds ImageTexture::bounds() const {
@@ -15,6 +15,12 @@ TextureBounds ImageTexture::bounds() const {
   }
   const Spectrum a = low * factor + bias, b = high * factor + bias;
   return {glm::min(a, b), glm::max(a, b)};
+}
+
+// Half a texel.
+TextureStep ImageTexture::step() const {
+  const auto texels = static_cast<float>(std::max(image->width(), image->height()));
+  return {0.5f / (texels * std::max({std::abs(uv_scale.x), std::abs(uv_scale.y), 1e-6f}))};
 }
 
 }  // namespace umbral

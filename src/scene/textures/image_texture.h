@@ -7,6 +7,7 @@
 
 #include "core/parameters.h"
 #include "image/texture_image.h"
+#include "scene/textures/texture_point.h"
 #include "scene/textures/texture_value.h"
 #include "scene/textures/uv_map.h"
 
@@ -22,6 +23,7 @@ struct ImageTexture {
   Vec2 uv_scale{1, 1};
   float uv_rotation = 0;
   Vec2 uv_offset{0, 0};
+  int uv_set = 0;
 
   static constexpr const char* kind = "image";
   static constexpr const char* doc = "an image file: value = texel × factor + bias";
@@ -36,15 +38,20 @@ struct ImageTexture {
                  parameter<&ImageTexture::bias>("bias", "is added after the factor"),
                  parameter<&ImageTexture::uv_scale>("uv_scale", "repeats of the image in u and v"),
                  parameter<&ImageTexture::uv_rotation>("uv_rotation", "degrees, counter-clockwise"),
-                 parameter<&ImageTexture::uv_offset>("uv_offset", "in repeats, after scale and rotation")};
+                 parameter<&ImageTexture::uv_offset>("uv_offset", "in repeats, after scale and rotation"),
+                 parameter<&ImageTexture::uv_set>("uv_set", "which uv of a mesh: 0 the first, 1 the second",
+                                                  Range{0, 1})};
 
   // What the reader loads; the texture cannot be evaluated before.
   std::shared_ptr<const TextureImage> image = nullptr;
   UvMap uv_map{};
 
   void prepare() { uv_map = UvMap({uv_scale, uv_rotation, uv_offset}); }
-  Spectrum evaluate(const Vec2& uv) const;  // r, g, b and alpha
+  Spectrum evaluate(const TexturePoint& point) const;  // r, g, b and alpha
   TextureBounds bounds() const;
+  unsigned needs() const { return uv_set == 0 ? 0 : texture_needs::uv1; }
+  TextureStep step() const;
+  Vec2 placed(const TexturePoint& point) const { return uv_map(point.uv_of(uv_set)); }
 };
 
 }  // namespace umbral

@@ -22,17 +22,30 @@ float channel_of(const Spectrum& value, TextureChannel channel) {
 
 }  // namespace
 
-void Texture::prepare() {
-  std::visit([](auto& texture) { texture.prepare(); }, kind);
+void Texture::prepare(std::span<const Texture> textures) {
+  std::visit(
+      [&](auto& texture) {
+        if constexpr (requires { texture.prepare(textures); })
+          texture.prepare(textures);
+        else
+          texture.prepare();
+      },
+      kind);
 }
 
-Spectrum Texture::color(const Vec2& uv) const {
-  return std::visit([&](const auto& texture) { return texture.evaluate(uv); }, kind);
+Spectrum Texture::color(const TexturePoint& point) const {
+  return std::visit([&](const auto& texture) { return texture.evaluate(point); }, kind);
 }
 
-float Texture::number(const Vec2& uv) const {
-  return std::visit([&](const auto& texture) { return channel_of(texture.evaluate(uv), texture.channel); },
-                    kind);
+float Texture::number(const TexturePoint& point) const {
+  return std::visit(
+      [&](const auto& texture) {
+        if constexpr (requires { texture.number(point); })
+          return texture.number(point);
+        else
+          return channel_of(texture.evaluate(point), texture.channel);
+      },
+      kind);
 }
 
 TextureBounds Texture::color_bounds() const {
@@ -42,8 +55,31 @@ TextureBounds Texture::color_bounds() const {
 Range Texture::number_bounds() const {
   return std::visit(
       [](const auto& texture) {
-        const TextureBounds bounds = texture.bounds();
-        return Range{channel_of(bounds.low, texture.channel), channel_of(bounds.high, texture.channel)};
+        if constexpr (requires { texture.number_bounds(); }) {
+          return texture.number_bounds();
+        } else {
+          const TextureBounds bounds = texture.bounds();
+          return Range{channel_of(bounds.low, texture.channel), channel_of(bounds.high, texture.channel)};
+        }
+      },
+      kind);
+}
+
+unsigned Texture::needs() const {
+  return std::visit([](const auto& texture) { return texture.needs(); }, kind);
+}
+
+TextureStep Texture::step() const {
+  return std::visit([](const auto& texture) { return texture.step(); }, kind);
+}
+
+Vec2 Texture::placed(const TexturePoint& point) const {
+  return std::visit(
+      [&](const auto& texture) {
+        if constexpr (requires { texture.placed(point); })
+          return texture.placed(point);
+        else
+          return point.uv;
       },
       kind);
 }

@@ -1,27 +1,41 @@
-// The closed list of textures: functions from uv to a value that a material's parameter or an emission takes.
+// The closed list of textures: functions of a surface's point that a material's parameter or an emission takes.
 #pragma once
 
+#include <span>
 #include <string>
 #include <variant>
 
 #include "scene/ids.h"
 #include "scene/textures/checker.h"
 #include "scene/textures/image_texture.h"
+#include "scene/textures/mix_texture.h"
+#include "scene/textures/ramp_texture.h"
+#include "scene/textures/scale_texture.h"
+#include "scene/textures/vertex_color.h"
 
 namespace umbral {
 
 // A new texture joins here.
-using TextureKinds = std::variant<ImageTexture, CheckerTexture>;
+using TextureKinds =
+    std::variant<ImageTexture, CheckerTexture, ScaleTexture, MixTexture, RampTexture, VertexColorTexture>;
 
 struct Texture {
   std::string name;
   TextureKinds kind;
 
-  void prepare();
-  Spectrum color(const Vec2& uv) const;
-  float number(const Vec2& uv) const;  // the chosen channel
+  // To be called once, before anything else. `textures` holds those that this one is made from, by their id and
+  // prepared: a texture can be made only from those before it.
+  void prepare(std::span<const Texture> textures = {});
+
+  Spectrum color(const TexturePoint& point) const;
+  float number(const TexturePoint& point) const;  // the chosen channel
   TextureBounds color_bounds() const;
   Range number_bounds() const;
+
+  unsigned needs() const;    // of texture_needs
+  TextureStep step() const;  // for slopes
+  // The uv that its picture lies in: that of the set it uses, placed. Linear but for an offset.
+  Vec2 placed(const TexturePoint& point) const;
 };
 
 }  // namespace umbral
