@@ -7,6 +7,7 @@
 
 #include "lobe_examples.h"
 #include "support/quadrature.h"
+#include "support/stability.h"
 
 namespace umbral {
 namespace {
@@ -57,13 +58,17 @@ TEST(Fresnel, AgreesWithTheAmplitudesAtAnyAngle) {
 
 // The hard row of the table: the relative error of the naive form is 13 % at eta − 1 = 1e-6.
 TEST(Fresnel, KeepsItsDigitsAsMediaBecomeAlike) {
+  double worst = 0;
   for (const float gap : {1e-3f, 1e-5f, 1e-6f, 3e-7f}) {
     const float eta = 1 + gap;
     for (const float c : {1.0f, 0.9f, 0.5f, 0.1f, 0.01f}) {
       const auto expected = static_cast<double>(reference(c, eta));
-      EXPECT_NEAR(fresnel_dielectric(c, eta) / expected, 1, 2e-6) << "cos " << c << ", eta − 1 = " << gap;
+      worst = std::max(worst, std::abs(fresnel_dielectric(c, eta) / expected - 1));
     }
   }
+  EXPECT_LE(worst, 2e-6);
+  record({"Lobes", "Fresnel's reflectance loses digits as η → 1, down to 1 + 3e-7", "≤ 2e-6 relative",
+          fmt::format("{:.1e}", worst), "the common form: 0.13 at 1 + 1e-6"});
   EXPECT_EQ(fresnel_dielectric(0.5f, 1), 0);
   EXPECT_EQ(fresnel_dielectric(1, 1), 0);
 }

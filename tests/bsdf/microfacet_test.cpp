@@ -12,6 +12,7 @@
 #include "bsdf/microfacet_albedo.h"
 #include "bsdf/plastic.h"
 #include "lobe_examples.h"
+#include "support/stability.h"
 
 namespace umbral {
 namespace {
@@ -63,6 +64,7 @@ TEST(Ggx, KeepsWhatIsKnownOfItsSingleBounce) {
 // The density in long double at half-vectors within five widths of the peak.
 TEST(Ggx, KeepsTheDigitsOfNarrowPeaks) {
   Random random(1);
+  double worst = 0;
   for (const float alpha : {1e-1f, 1e-2f, 1e-3f, 1e-4f})
     for (int i = 0; i < 2000; ++i) {
       const double slope = alpha * random.between(0, 5), phi = random.between(0, 6.28);
@@ -70,8 +72,11 @@ TEST(Ggx, KeepsTheDigitsOfNarrowPeaks) {
       const long double a2 = static_cast<long double>(alpha) * alpha, x = h.x, y = h.y, z = h.z;
       const long double q = (x * x + y * y) / a2 + z * z;
       const auto expected = static_cast<double>(1 / (3.14159265358979323846L * a2 * q * q));
-      EXPECT_NEAR(Ggx({alpha, alpha}).density(h) / expected, 1, 2e-6) << "alpha " << alpha;
+      worst = std::max(worst, std::abs(Ggx({alpha, alpha}).density(h) / expected - 1));
     }
+  EXPECT_LE(worst, 2e-6);
+  record({"Lobes", "GGX D near its peak, α from 0.1 to 1e-4, loses digits", "≤ 2e-6 relative",
+          fmt::format("{:.1e}", worst), "c²(α²−1)+1 in single precision: ∞ at 1e-4"});
 }
 
 TEST(Ggx, IsADistributionOfProjectedArea) {

@@ -8,6 +8,7 @@
 #include "integrators/path.h"
 #include "render/renderer.h"
 #include "render/test_scenes.h"
+#include "support/stability.h"
 
 namespace umbral::test {
 namespace {
@@ -98,6 +99,8 @@ TEST_P(BitExact, AnyPowerOfTwoAsUnitOfLength) {
     expect_same(*by_path, *render(scaled, path_, small(GetParam())).film, scale);
     expect_same(*by_local, *render(scaled, local, small(GetParam())).film, scale);
   }
+  record({"Units of length and places", "a scene of 2^±20 times the size is another picture", "bit-identical",
+          "bit-identical", "mitsuba2 #171"});
 }
 
 TEST_P(BitExact, AnotherSeedIsAnotherImage) {

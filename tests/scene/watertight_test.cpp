@@ -1,6 +1,7 @@
 // No ray leaves a closed mesh between its triangles, from within or from far away.
 #include <gtest/gtest.h>
 
+#include "support/stability.h"
 #include "worlds.h"
 
 namespace umbral {
@@ -29,26 +30,35 @@ int leaks_from_within(const Mesh& mesh, const Affine& place, Aim aim) {
   return leaks;
 }
 
+void expect_no_leaks(const std::string& from, const Mesh& mesh, const Affine& place,
+                     std::initializer_list<Aim> aims, const std::string& reported = "mitsuba3 #1149") {
+  int leaks = 0;
+  for (const Aim aim : aims) leaks += leaks_from_within(mesh, place, aim);
+  EXPECT_EQ(leaks, 0);
+  record({"Closed meshes", "rays leak from " + from, "0", fmt::format("{} of {} million", leaks, aims.size()),
+          reported});
+}
+
 // Embree 3.13 lets 0.9 % of the rays pass that are aimed exactly at a vertex of this sphere, so those are not among
 // these; rays that are not aimed never meet a vertex that well.
 TEST(Watertight, SphereKeepsEveryRayWithin) {
   const Mesh mesh = icosphere(5);
-  for (const Aim aim : {Aim::anywhere, Aim::edges}) EXPECT_EQ(leaks_from_within(mesh, {}, aim), 0);
+  expect_no_leaks("a tessellated sphere, aimed at edges too", mesh, {}, {Aim::anywhere, Aim::edges});
 }
 
 TEST(Watertight, BoxKeepsEveryRayWithin) {
   Random random(4);
   const Mesh mesh = box({-1, -1, -1}, {1, 1, 1}).triangulated();
   for (const Affine& place : {Affine{}, random_rotation(random)})
-    for (const Aim aim : {Aim::anywhere, Aim::edges, Aim::vertices})
-      EXPECT_EQ(leaks_from_within(mesh, place, aim), 0);
+    expect_no_leaks(place.is_identity() ? "a box, aimed at edges and vertices too" : "a turned box, likewise",
+                    mesh, place, {Aim::anywhere, Aim::edges, Aim::vertices});
 }
 
 TEST(Watertight, FarSphereKeepsEveryRayWithin) {
   const Mesh mesh = icosphere(5);
   const Affine place = translation({148376, 1234, -223423}) * scaling(Vec3d(2));
-  for (const Aim aim : {Aim::anywhere, Aim::edges, Aim::vertices})
-    EXPECT_EQ(leaks_from_within(mesh, place, aim), 0);
+  expect_no_leaks("a sphere at (148376, 1234, −223423), aimed at edges and vertices too", mesh, place,
+                  {Aim::anywhere, Aim::edges, Aim::vertices}, "embree's own test; embree #387");
 }
 
 // Rays from afar to the middle of a turned box, past its corners and along the diagonals of its faces.
@@ -66,6 +76,7 @@ TEST(Watertight, BoxSeenFromFarHasNoHoles) {
     }
   }
   EXPECT_EQ(holes, 0);
+  record({"Closed meshes", "holes in a box seen from up to 1e4 away", "0", fmt::format("{} of 1000000", holes)});
 }
 
 // The same through the diagonal that the two triangles of each face share.

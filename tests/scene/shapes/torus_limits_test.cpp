@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/shapes/rays.h"
+#include "support/stability.h"
 
 namespace umbral::test {
 namespace {
@@ -23,6 +24,7 @@ TEST_P(FarTorus, NoRayMissesAndNoHitIsBad) {
   const Torus torus = torus_of(ratio);
   const double a = ratio_of(torus);
   Random random(1);
+  double worst = 0;
   for (int i = 0; i < 30000; ++i) {
     const double phi = random.uniform(0, 2 * pi_d);
     const Vec3d target =
@@ -34,10 +36,13 @@ TEST_P(FarTorus, NoRayMissesAndNoHitIsBad) {
     EXPECT_LT(*t, distance);
     const double error = distance_to_torus(a, ray, *t);
     EXPECT_LE(error, 1.2e-16 * distance + 2e-15 * (1 + a));
-    if (distance <= 5e4 && a >= 1e-3) {
-      EXPECT_LE(error, 1e-8 * a);
-    }
+    worst = std::max(worst, error / a);
   }
+  const bool promised = distance <= 5e4 && a >= 1e-3;
+  if (promised) EXPECT_LE(worst, 1e-8);
+  record({"Solvers", fmt::format("a torus of r = {:g} R is missed or hit badly from {:g} R away", ratio, distance),
+          promised ? "0 misses, error ≤ 1e-8 r" : "0 misses, error of the last digit of t",
+          fmt::format("0 of 30000, {:.1e} r", worst), "POV-Ray PR #358"});
 }
 
 // The same ray with its origin next to the torus: no crossing appears, vanishes or moves.
