@@ -3,6 +3,7 @@
 
 #include "bsdf/fresnel.h"
 #include "bsdf/microfacet_albedo.h"
+#include "bsdf/thin_film.h"
 
 namespace umbral {
 namespace {
@@ -20,15 +21,19 @@ ComplexIndex index_of(const Conductor& lobe) {
 }  // namespace
 
 Spectrum Conductor::fresnel(float cos_theta) const {
-  if (!has_index(*this)) return fresnel_schlick(cos_theta, reflectance, edge_tint);
-  const ComplexIndex index = index_of(*this);
-  return fresnel_conductor(cos_theta, index.eta, index.k);
+  const bool indexed = has_index(*this);
+  const ComplexIndex index = indexed ? index_of(*this) : ComplexIndex{black, black};
+  const Spectrum bare = indexed ? fresnel_conductor(cos_theta, index.eta, index.k)
+                                : fresnel_schlick(cos_theta, reflectance, edge_tint);
+  const ThinFilm film{film_eta, film_thickness};
+  if (!film.exists()) return bare;
+  const Spectrum eta_below = indexed ? index.eta : eta_of_reflectance(reflectance);
+  return glm::mix(bare, film_reflectance(cos_theta, film, eta_below, index.k), film_share);
 }
 
-// Of a complex index by Gauss's rule with three points over cos² θ; 0.008 too low at most for the
-// metals of the table.
+// But for Schlick's by Gauss's rule with three points over cos² θ; 0.008 too low at most for the metals of the table.
 Spectrum Conductor::fresnel_average() const {
-  if (!has_index(*this)) return fresnel_schlick_average(reflectance, edge_tint);
+  if (!has_index(*this) && film_thickness == 0) return fresnel_schlick_average(reflectance, edge_tint);
   return (5.0f * (fresnel(0.33571068f) + fresnel(0.94196515f)) + 8.0f * fresnel(0.70710678f)) / 18.0f;
 }
 
@@ -39,7 +44,8 @@ Spectrum Conductor::f_cos(const Vec3& wo, const Vec3& wi) const {
   const Vec3 sum = o + i;
   const float length = glm::length(sum);
   Spectrum f = black;
-  if (length > 1e-12f) f = fresnel(0.5f * length) * (ggx.density(sum / length) * ggx.shadowed_cos(o, i));
+  if (length > 1e-12f)
+    f = fresnel(std::min(1.0f, 0.5f * length)) * (ggx.density(sum / length) * ggx.shadowed_cos(o, i));
   const float loss = ggx_average_loss(ggx);
   if (!(loss > 0)) return f;
   const Spectrum mean = fresnel_average();

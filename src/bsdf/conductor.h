@@ -21,6 +21,9 @@ struct Conductor {
   Spectrum eta = black;
   Spectrum k = black;
   float roughness = 0.2f;
+  float film_eta = 1.3f;
+  float film_thickness = 0;
+  float film_share = 1;  // the part of it that the film is on; no parameter of this kind
   float anisotropy =
       0;  // alpha is roughness² (1 ± anisotropy) along x and y; no parameter before frames follow uv
 
@@ -34,8 +37,10 @@ struct Conductor {
       parameter<&Conductor::eta>("eta", "real part of the index; with k, instead of the reflectance",
                                  Range{0, 100}),
       parameter<&Conductor::k>("k", "imaginary part of the index", Range{0, 100}),
-      parameter<&Conductor::roughness>("roughness", "square root of GGX's alpha; 0 is a mirror",
-                                       zero_to_one)};
+      parameter<&Conductor::roughness>("roughness", "square root of GGX's alpha; 0 is a mirror", zero_to_one),
+      parameter<&Conductor::film_eta>("film_eta", "index of a thin film on it, as oxide on steel",
+                                      Range{1, 10}),
+      parameter<&Conductor::film_thickness>("film_thickness", "of that film, nm; 0 is none", Range{0, 1e4f})};
 
   bool only_delta() const { return sqr(roughness) < Ggx::smallest_alpha; }
   bool has_choice() const { return !only_delta(); }

@@ -15,7 +15,11 @@ struct Side {
   float lost;               // M of wo
   float mean, mean_beyond;  // m
   float through;            // t: the share of the lost light that ends beyond
+  Interface interface;
 };
+
+// The chance to reflect at a facet that reflects F.
+float chance_of(const Spectrum& f) { return f.r == f.g && f.g == f.b ? f.g : std::min(1.0f, luminance(f)); }
 
 float lost_of(const Dielectric& lobe, float cos_theta) {
   return interface_shares(cos_theta, sqr(lobe.roughness), lobe.eta).lost;
@@ -30,20 +34,21 @@ Side side_of(const Dielectric& lobe, const Vec3& wo) {
   const float ratio = sqr(lobe.eta) * inside / outside;
   const float to_inside = std::min(1 - averages.reflected / (1 - outside), ratio);
   const float lost = lost_of(lobe, wo.z);
-  if (wo.z > 0) return {{alpha, alpha}, true, lobe.eta, lost, outside, inside, to_inside};
-  return {{alpha, alpha}, false, 1 / lobe.eta, lost, inside, outside, to_inside / ratio};
+  const Ggx ggx{alpha, alpha};
+  if (wo.z > 0) return {ggx, true, lobe.eta, lost, outside, inside, to_inside, lobe.interface()};
+  return {ggx, false, 1 / lobe.eta, lost, inside, outside, to_inside / ratio, lobe.interface()};
 }
 
 // The facet that refracts wo to wi, both turned so that wo is above.
 struct Facet {
   Vec3 h;
   float length2;  // of wo + eta wi
-  float reflected;
+  Spectrum reflected;
 };
 
 // The sum is always taken from outside, so that both ways along a path find the same digits.
 std::optional<Facet> refracting_facet(const Side& side, const Vec3& wo, const Vec3& wi) {
-  const float eta = side.outside ? side.eta : 1 / side.eta;
+  const float eta = side.interface.eta;
   const Vec3 sum = side.outside ? wo + eta * wi : wi + eta * wo;
   const float length2 = dot(sum, sum);
   if (!(length2 > 1e-20f)) return std::nullopt;
@@ -51,11 +56,11 @@ std::optional<Facet> refracting_facet(const Side& side, const Vec3& wo, const Ve
   const float cos_o = dot(wo, h), cos_i = -dot(wi, h);
   if (!(cos_o > 0) || !(cos_i > 0)) return std::nullopt;
   return Facet{h, side.outside ? length2 : length2 / sqr(eta),
-               fresnel_dielectric(side.outside ? cos_o : cos_i, eta)};
+               side.interface.reflectance_from(true, side.outside ? cos_o : cos_i)};
 }
 
-float facet_reflectance(const Side& side, const Vec3& wo, const Vec3& wi) {
-  return fresnel_dielectric(0.5f * glm::length(wo + wi), side.eta);
+Spectrum facet_reflectance(const Side& side, const Vec3& wo, const Vec3& wi) {
+  return side.interface.reflectance_from(side.outside, std::min(1.0f, 0.5f * glm::length(wo + wi)));
 }
 
 Vec3 turned(const Vec3& w, const Vec3& wo) { return wo.z < 0 ? Vec3{w.x, w.y, -w.z} : w; }
@@ -73,16 +78,16 @@ Spectrum Dielectric::f_cos(const Vec3& wo, const Vec3& wi) const {
   if (i.z > 0) {
     const Vec3 sum = o + i;
     const float length = glm::length(sum);
-    float f = both * (1 - side.through) / side.mean * zi;
+    Spectrum f = white * (both * (1 - side.through) / side.mean * zi);
     if (length > 1e-12f)
-      f += facet_reflectance(side, o, i) * side.ggx.density(sum / length) * side.ggx.shadowed_cos(o, i);
+      f += facet_reflectance(side, o, i) * (side.ggx.density(sum / length) * side.ggx.shadowed_cos(o, i));
     return reflectance * f;
   }
-  float f = both * side.through / (side.mean_beyond * sqr(side.eta)) * zi;
+  Spectrum f = white * (both * side.through / (side.mean_beyond * sqr(side.eta)) * zi);
   if (const auto facet = refracting_facet(side, o, i)) {
     const float projected = 4 * dot(o, facet->h) * -dot(i, facet->h) / facet->length2;
-    f += (1 - facet->reflected) * side.ggx.density(facet->h) * side.ggx.shadowed_cos(o, {i.x, i.y, zi}) *
-         projected;
+    f += (white - facet->reflected) *
+         (side.ggx.density(facet->h) * side.ggx.shadowed_cos(o, {i.x, i.y, zi}) * projected);
   }
   return transmittance * f;
 }
@@ -94,10 +99,10 @@ float Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
   const float diffuse = side.lost * lossy_direction_pdf(std::abs(i.z), side.ggx.alpha_x);
   if (i.z > 0)
     return diffuse * (1 - side.through) +
-           (1 - side.lost) * facet_reflectance(side, o, i) * side.ggx.reflection_pdf(o, i);
+           (1 - side.lost) * chance_of(facet_reflectance(side, o, i)) * side.ggx.reflection_pdf(o, i);
   float pdf = diffuse * side.through;
   if (const auto facet = refracting_facet(side, o, i))
-    pdf += (1 - side.lost) * (1 - facet->reflected) * side.ggx.visible_normal_pdf(o, facet->h) *
+    pdf += (1 - side.lost) * (1 - chance_of(facet->reflected)) * side.ggx.visible_normal_pdf(o, facet->h) *
            sqr(side.eta) * -dot(i, facet->h) / facet->length2;
   return pdf;
 }
@@ -106,11 +111,13 @@ std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, float u1, const Vec
   const Vec3 o = turned(wo, wo);
   const float relative_eta = wo.z > 0 ? eta : 1 / eta;
   if (only_delta()) {
-    if (u1 < fresnel_dielectric(o.z, relative_eta))
-      return BsdfSample{{-wo.x, -wo.y, wo.z}, reflectance, 0, true};
+    const Spectrum f = interface().reflectance_from(wo.z > 0, o.z);
+    const float chance = chance_of(f);
+    if (u1 < chance) return BsdfSample{{-wo.x, -wo.y, wo.z}, reflectance * (f / chance), 0, true};
     const std::optional<Vec3> down = refracted(o, relative_eta);
     if (!down) return std::nullopt;
-    return BsdfSample{turned(*down, wo), transmittance / sqr(relative_eta), 0, true};
+    const Spectrum passed = transmittance * ((white - f) / (1 - chance));
+    return BsdfSample{turned(*down, wo), passed / sqr(relative_eta), 0, true};
   }
   if (wo.z == 0) return std::nullopt;
   const Side side = side_of(*this, wo);
@@ -121,7 +128,8 @@ std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, float u1, const Vec
   }
   const Vec3 h = side.ggx.sample_visible_normal(o, u2);
   const float share = (u1 - side.lost) / (1 - side.lost);
-  const bool reflects = share < fresnel_dielectric(std::max(0.0f, dot(o, h)), relative_eta);
+  const bool reflects =
+      share < chance_of(side.interface.reflectance_from(side.outside, std::max(0.0f, dot(o, h))));
   const std::optional<Vec3> wi = reflects ? reflected(o, h) : refracted_at(o, h, relative_eta);
   if (!wi || (wi->z > 0) != reflects) return std::nullopt;
   return sample_at(*this, wo, turned(*wi, wo));
@@ -129,7 +137,7 @@ std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, float u1, const Vec
 
 BlinnPhongCoefficients Dielectric::local_model() const {
   const float alpha = sqr(roughness);
-  return {black, black, reflectance * sqr((eta - 1) / (eta + 1)),
+  return {black, black, reflectance * interface().reflectance(1),
           only_delta() ? 1000 : Ggx{alpha, alpha}.exponent()};
 }
 

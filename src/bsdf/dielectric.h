@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "bsdf/bsdf.h"
+#include "bsdf/interface.h"
 #include "core/parameters.h"
 
 namespace umbral {
@@ -21,6 +22,11 @@ struct Dielectric {
   Spectrum reflectance = grey(1.0f);
   Spectrum transmittance = grey(1.0f);
   float roughness = 0;
+  float film_eta = 1.3f;
+  float film_thickness = 0;
+  float film_share = 1;  // the last three are glTF's; no parameters of this kind
+  float specular = 1;
+  Spectrum specular_color = white;
 
   static constexpr const char* kind = "dielectric";
   static constexpr const char* doc = "clear or frosted glass, or water; its surface must be closed";
@@ -28,7 +34,10 @@ struct Dielectric {
       parameter<&Dielectric::eta>("eta", "index of refraction, inside over outside", Range{1, 10}),
       parameter<&Dielectric::reflectance>("reflectance", "tint of what is reflected", zero_to_one),
       parameter<&Dielectric::transmittance>("transmittance", "tint of what is refracted", zero_to_one),
-      parameter<&Dielectric::roughness>("roughness", "square root of GGX's alpha; 0 is smooth", zero_to_one)};
+      parameter<&Dielectric::roughness>("roughness", "square root of GGX's alpha; 0 is smooth", zero_to_one),
+      parameter<&Dielectric::film_eta>("film_eta", "index of a thin film on it", Range{1, 10}),
+      parameter<&Dielectric::film_thickness>("film_thickness", "of that film, nm; 0 is none",
+                                             Range{0, 1e4f})};
 
   // Smooth, or so near to no interface at all that refraction spreads no wider than a smooth one's.
   bool only_delta() const;
@@ -45,6 +54,10 @@ struct Dielectric {
   BlinnPhongCoefficients local_model() const;
 
   float interior_eta() const { return eta; }
+
+  Interface interface() const {
+    return {eta, specular, specular_color, {film_eta, film_thickness}, film_share};
+  }
 };
 
 }  // namespace umbral

@@ -10,12 +10,13 @@
 #include "bsdf/lambert.h"
 #include "bsdf/mirror.h"
 #include "bsdf/plastic.h"
+#include "bsdf/principled.h"
 #include "bsdf/thin_dielectric.h"
 
 namespace umbral {
 
 using Lobes = std::variant<Lambert, BlinnPhong, Mirror, Dielectric, Conductor, Plastic, ThinDielectric,
-                           DiffuseTransmission>;
+                           DiffuseTransmission, Principled>;
 
 template <class... T>
 constexpr bool all_are_bsdf_models(std::variant<T...>*) {

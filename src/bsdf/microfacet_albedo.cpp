@@ -6,23 +6,10 @@
 #include <mutex>
 
 #include "bsdf/fresnel.h"
+#include "bsdf/table_cell.h"
 
 namespace umbral {
 namespace {
-
-// Where x in [0, 1] lies among `count` even nodes: between i and i + 1.
-struct Cell {
-  int i;
-  float t;
-};
-
-Cell cell_of(float x, int count) {
-  const float at = glm::clamp(x, 0.0f, 1.0f) * static_cast<float>(count - 1);
-  const int i = std::min(static_cast<int>(at), count - 2);
-  return {i, at - static_cast<float>(i)};
-}
-
-float node(int i, int count) { return static_cast<float>(i) / static_cast<float>(count - 1); }
 
 // E changes with angle on the scale cos θ ≈ alpha, however small alpha is, and steeply towards the horizon: in these
 // coordinates it is about as smooth everywhere.
@@ -63,8 +50,9 @@ auto mean_over_normals(const Ggx& ggx, const Vec3& wo, F&& f) {
   return sum / weights;
 }
 
+template <int flat, int round>
 float mirror_loss(const Ggx& ggx, const Vec3& wo) {
-  return static_cast<float>(mean_over_normals<40, 32>(ggx, wo, [&](const Vec3& h) {
+  return static_cast<float>(mean_over_normals<flat, round>(ggx, wo, [&](const Vec3& h) {
     const Vec3 wi = reflected(wo, h);
     return wi.z > 0 ? 1.0 - bounce_weight(ggx, wo, wi) : 1.0;
   }));
@@ -94,7 +82,7 @@ class MirrorTable {
       const float alpha = alpha_of(r);
       for (int s = 0; s < angles; ++s) {
         const float cos_theta = std::max(cos_of_coordinate(node(s, angles), alpha), smallest_cos);
-        loss_[r][s] = mirror_loss({alpha, alpha}, direction(cos_theta, 0));
+        loss_[r][s] = mirror_loss<40, 32>({alpha, alpha}, direction(cos_theta, 0));
       }
     }
     for (int r = 0; r < rough; ++r)
@@ -135,7 +123,7 @@ class StretchedTable {
         const float c = std::max(cos_of_coordinate(node(s, angles), alpha_of(r)), smallest_cos);
         Harmonics values{};
         for (int i = 0; i < terms; ++i)
-          values[i] = mirror_loss(ggx, direction(c, static_cast<float>(i) * pi / (2 * (terms - 1))));
+          values[i] = mirror_loss<20, 16>(ggx, direction(c, static_cast<float>(i) * pi / (2 * (terms - 1))));
         loss_[r][s] = transformed(values);
       }
     }

@@ -101,7 +101,8 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     }
     if (max_depth > 0 && bounces == max_depth) break;
 
-    const Lobes lobe = scene.bsdf(surface);
+    Lobes textured;
+    const Lobes& lobe = scene.bsdf(surface, textured);
     const Vec3 wo = surface.shading.to_local(-ray.d);
     if (scene.light_count() > 0 && !only_delta(lobe))
       add(throughput * direct(*this, scene, surface, lobe, wo, sampler), bounces + 1);

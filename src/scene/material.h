@@ -114,13 +114,13 @@ void for_each_common_parameter(Material& material, Visitor&& visitor) {
 }
 
 // Calls visitor(info, Textured<float or Spectrum>&) for each parameter of the material's lobe, with a plain reference for
-// one that is a choice among names, and keeps what the visitor wrote; then for_each_common_parameter().
+// one that is a choice among names or a switch, and keeps what the visitor wrote; then for_each_common_parameter().
 template <class Visitor>
 void for_each_material_parameter(Material& material, Visitor&& visitor) {
   const auto visit_one = [&](auto& lobe, const auto& parameter) {
     constexpr auto member = std::remove_reference_t<decltype(parameter)>::member;
     using T = std::remove_reference_t<decltype(lobe.*member)>;
-    if constexpr (std::is_enum_v<T>) {
+    if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
       visitor(parameter.info, lobe.*member);
     } else {
       Textured<T> textured{lobe.*member};

@@ -31,8 +31,11 @@ class Scene {
     if (surface.detail != 0) add_detail(ray, hit, surface);
     return surface;
   }
-  Lobes bsdf(const Surface& surface) const {
-    return materials_[index_of(surface.material)].at(surface.at, textures_);
+  // The lobe at `surface`: the material's own, or, where textures replace parameters, a copy of it in `storage`.
+  const Lobes& bsdf(const Surface& surface, Lobes& storage) const {
+    const Material& material = materials_[index_of(surface.material)];
+    if (material.maps.empty()) return material.lobe;
+    return storage = material.at(surface.at, textures_);
   }
 
   // Radiance that leaves `surface` towards `wo` by emission; wo: unit, world, away from the surface.

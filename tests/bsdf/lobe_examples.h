@@ -19,6 +19,7 @@ class RandomParameters {
   void operator()(const ParameterInfo&, E& value) {
     value = static_cast<E>(random_.below(EnumNames<E>::names.size()));
   }
+  void operator()(const ParameterInfo&, bool& value) { value = random_.coin(); }
   void operator()(const ParameterInfo& info, float& value) { value = number(info.range); }
   void operator()(const ParameterInfo& info, Spectrum& value) {
     const float r = number(info.range);
@@ -79,6 +80,8 @@ template <>
 inline constexpr double albedo_excess<Dielectric> = 0.01;
 template <>
 inline constexpr double albedo_excess<Plastic> = 3e-3;
+template <>
+inline constexpr double albedo_excess<Principled> = 0.01;
 
 /// The unit vector with this z and azimuth (radians).
 inline Vec3 direction_at(double z, double phi) {

@@ -1,0 +1,34 @@
+// A clear dielectric skin over something else: what it reflects, smooth or by GGX facets, and how much that is.
+#pragma once
+
+#include "bsdf/bsdf.h"
+#include "bsdf/interface.h"
+#include "bsdf/microfacet.h"
+
+namespace umbral {
+
+// Directions have z ≥ 0. What single bounces off the skin lose goes on to what is under it, as its transmission does.
+struct Skin {
+  Interface interface;
+  Ggx ggx;
+
+  bool is_smooth() const { return std::max(ggx.alpha_x, ggx.alpha_y) < Ggx::smallest_alpha; }
+
+  // R: the share of light from an angle that is reflected in all (within 0.003; 0.01 where it is tinted, stretched
+  // or has a film), and its mean over the hemisphere.
+  Spectrum albedo(float cos_theta) const;
+  Spectrum average_albedo() const;
+
+  // f |cos θi| and the density of sampling by visible normals; nothing for a smooth one.
+  Spectrum f_cos(const Vec3& o, const Vec3& i) const;
+  float pdf(const Vec3& o, const Vec3& i) const { return is_smooth() ? 0.0f : ggx.reflection_pdf(o, i); }
+  // The direction that u gives; none below the horizon.
+  std::optional<Vec3> sample(const Vec3& o, const Vec2& u) const;
+};
+
+// What a diffuse body of reflectance ρ sends through a skin in both directions [Kelemen and Szirmay-Kalos 2001]:
+//   f |cos θi| = ρ (1 − R(wo)) (1 − R(wi)) cos θi/(π (1 − R_avg)), which with ρ = 1 gives back all that R leaves.
+Spectrum body_f_cos(const Spectrum& reflectance, const Spectrum& skin_o, const Spectrum& skin_i,
+                    const Spectrum& skin_average, float cos_i);
+
+}  // namespace umbral
