@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "bsdf/absorption.h"
 #include "bsdf/bsdf.h"
 #include "bsdf/interface.h"
 #include "core/parameters.h"
@@ -22,6 +23,8 @@ struct Dielectric {
   Spectrum reflectance = grey(1.0f);
   Spectrum transmittance = grey(1.0f);
   float roughness = 0;
+  Spectrum attenuation_color = white;
+  float attenuation_distance = infinity;
   float film_eta = 1.3f;
   float film_thickness = 0;
   float film_share = 1;  // the last three are glTF's; no parameters of this kind
@@ -35,6 +38,11 @@ struct Dielectric {
       parameter<&Dielectric::reflectance>("reflectance", "tint of what is reflected", zero_to_one),
       parameter<&Dielectric::transmittance>("transmittance", "tint of what is refracted", zero_to_one),
       parameter<&Dielectric::roughness>("roughness", "square root of GGX's alpha; 0 is smooth", zero_to_one),
+      parameter<&Dielectric::attenuation_color>(
+          "attenuation_color", "what is left of white light inside after attenuation_distance", zero_to_one),
+      parameter<&Dielectric::attenuation_distance>("attenuation_distance",
+                                                   "world units; inf is a body that absorbs nothing",
+                                                   Range{0, infinity, true, false}),
       parameter<&Dielectric::film_eta>("film_eta", "index of a thin film on it", Range{1, 10}),
       parameter<&Dielectric::film_thickness>("film_thickness", "of that film, nm; 0 is none",
                                              Range{0, 1e4f})};
@@ -54,6 +62,9 @@ struct Dielectric {
   BlinnPhongCoefficients local_model() const;
 
   float interior_eta() const { return eta; }
+  std::optional<Absorption> interior() const {
+    return Absorption::of_color(attenuation_color, attenuation_distance);
+  }
 
   Interface interface() const {
     return {eta, specular, specular_color, {film_eta, film_thickness}, film_share};

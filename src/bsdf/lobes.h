@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "bsdf/absorption.h"
 #include "bsdf/blinn_phong.h"
 #include "bsdf/conductor.h"
 #include "bsdf/dielectric.h"
@@ -42,6 +43,18 @@ inline bool only_delta(const Lobes& lobes) {
 }
 inline bool has_choice(const Lobes& lobes) {
   return std::visit([](const auto& lobe) { return lobe.has_choice(); }, lobes);
+}
+// What is inside the shape of this lobe; none where light does not go in by refraction.
+inline std::optional<Absorption> interior(const Lobes& lobes) {
+  return std::visit(
+      [](const auto& lobe) -> std::optional<Absorption> {
+        if constexpr (requires { lobe.interior(); }) return lobe.interior();
+        return std::nullopt;
+      },
+      lobes);
+}
+inline const char* kind_of(const Lobes& lobes) {
+  return std::visit([](const auto& lobe) { return lobe.kind; }, lobes);
 }
 inline BlinnPhongCoefficients to_blinn_phong(const Lobes& lobes) {
   return std::visit([](const auto& lobe) { return lobe.local_model(); }, lobes);

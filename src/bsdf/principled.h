@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "bsdf/absorption.h"
 #include "bsdf/bsdf.h"
 #include "core/parameters.h"
 
@@ -67,7 +68,7 @@ struct Principled {
       parameter<&Principled::anisotropy>("anisotropy", "how far highlights stretch along the direction of u",
                                          zero_to_one),
       parameter<&Principled::anisotropy_rotation>(
-          "anisotropy_rotation", "of that direction, degrees, counter-clockwise", Range{-360, 360}),
+          "anisotropy_rotation", "of that direction, degrees, counter-clockwise", Range{0, 360}),
       parameter<&Principled::iridescence>("iridescence", "share of the surface under a thin film",
                                           zero_to_one),
       parameter<&Principled::iridescence_ior>("iridescence_ior", "index of that film", Range{1, 10}),
@@ -88,6 +89,10 @@ struct Principled {
   // Whether it has an inside, which light enters by refraction, and the index there.
   bool has_inside() const { return transmission > 0 && metallic < 1 && !thin_walled; }
   float interior_eta() const { return has_inside() ? ior : 1; }
+  std::optional<Absorption> interior() const {
+    if (!has_inside()) return std::nullopt;
+    return Absorption::of_color(attenuation_color, attenuation_distance);
+  }
 };
 
 }  // namespace umbral

@@ -86,7 +86,7 @@ class Bounces {
 };
 
 constexpr int most_bounces = 64;
-constexpr float negligible = 1e-8f;  // of a squared term
+constexpr float negligible = 1e-13f;  // of a squared term
 
 }  // namespace
 

@@ -105,13 +105,13 @@ void SceneChecks::check_materials() {
 
 void SceneChecks::check_shape(const Shape& shape, const Place& place) {
   const Material& material = scene_.materials[index_of(shape.material)];
-  if (std::holds_alternative<Dielectric>(material.lobe)) {
+  if (interior(material.lobe)) {
     const auto* mesh = std::get_if<Mesh>(&shape.kind);
     const bool flat =
         std::holds_alternative<Rectangle>(shape.kind) || std::holds_alternative<Disk>(shape.kind);
     if (flat || (mesh && !is_closed(*mesh)))
-      warn(place, fmt::format("{} is of dielectric '{}' but is not closed: it has no inside", name_of(shape),
-                              material.name));
+      warn(place, fmt::format("{} is of {} '{}' but is not closed: it has no inside", name_of(shape),
+                              kind_of(material.lobe), material.name));
   }
   check_textures(shape, place, material);
   if (shape.emits() && !shines(shape))

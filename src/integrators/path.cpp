@@ -39,9 +39,18 @@ float bsdf_weight(Strategy strategy, float bsdf_pdf, float light_pdf) {
   return strategy == Strategy::bsdf ? 1 : 0;
 }
 
-// Light that one sample of one light brings to a vertex, before the path's throughput; wo is local.
+// What lies beyond a surface for a path that goes through it; the path begins in a void. Bodies within each other are
+// not remembered: behind each face is what that face says.
+Absorption beyond(const Lobes& lobe, const Vec3& wi, const Absorption& here) {
+  const std::optional<Absorption> inside = interior(lobe);
+  if (!inside) return here;
+  return wi.z < 0 ? *inside : Absorption{};
+}
+
+// Light that one sample of one light brings to a vertex, before the path's throughput; wo is local, `medium` is where
+// the path comes from.
 Spectrum direct(const PathIntegrator& settings, const Scene& scene, const Surface& surface, const Lobes& lobe,
-                const Vec3& wo, Sampler& sampler) {
+                const Vec3& wo, const Absorption& medium, Sampler& sampler) {
   const Vec2 u = sampler.next2d();
   const LightReceiver receiver{surface.p, surface.ng};
   const float u_light = scene.light_count() > 1 ? sampler.next1d() : 0.0f;
@@ -57,7 +66,10 @@ Spectrum direct(const PathIntegrator& settings, const Scene& scene, const Surfac
   const float weight = light_weight(settings.strategy, light_pdf, umbral::pdf(lobe, wo, wi), sample->delta);
   if (weight == 0 || is_black(sample->radiance)) return black;
   if (scene.occluded(Scene::shadow_ray(surface, *sample))) return black;
-  return f_cos * sample->radiance * (weight / light_pdf);
+  const Spectrum light = f_cos * sample->radiance * (weight / light_pdf);
+  if (same_side(wo, wi) && !medium.absorbs()) return light;
+  const Absorption& way = same_side(wo, wi) ? medium : beyond(lobe, wi, medium);
+  return light * way.transmittance(sample->distance);
 }
 
 }  // namespace
@@ -74,6 +86,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
   Ray ray = camera_ray;
   Spectrum result = black, throughput = white;
   Arrival arrival;
+  Absorption medium;
   const auto add = [&](const Spectrum& light, int bounces) {
     result += light;
     if (!layers.empty()) layers[static_cast<std::size_t>(std::min(bounces, 2))] += light;
@@ -82,7 +95,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
   for (int bounces = 0;; ++bounces) {
     const std::optional<Hit> hit = scene.intersect(ray);
     if (!hit) {
-      if (!scene.has_environment()) break;
+      if (!scene.has_environment() || medium.absorbs()) break;
       const float weight =
           arrival.delta
               ? 1
@@ -92,6 +105,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     }
 
     const Surface surface = scene.surface(ray, *hit);
+    if (medium.absorbs()) throughput *= medium.transmittance(glm::length(surface.p - arrival.from.p));
     if (surface.light != LightId::none) {
       const float weight =
           arrival.delta ? 1
@@ -105,7 +119,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const Lobes& lobe = scene.bsdf(surface, textured);
     const Vec3 wo = surface.shading.to_local(-ray.d);
     if (scene.light_count() > 0 && !only_delta(lobe))
-      add(throughput * direct(*this, scene, surface, lobe, wo, sampler), bounces + 1);
+      add(throughput * direct(*this, scene, surface, lobe, wo, medium, sampler), bounces + 1);
 
     const Vec2 u = sampler.next2d();
     const float u_lobe = has_choice(lobe) ? sampler.next1d() : 0.0f;
@@ -120,6 +134,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
       if (sampler.next1d() >= survival) break;
       throughput /= survival;
     }
+    if (!same_side(wo, sample->wi)) medium = beyond(lobe, sample->wi, medium);
     arrival = {sample->pdf, sample->delta, {surface.p, surface.ng}};
     ray.o = surface.origin_towards(wi);
     ray.d = wi;
