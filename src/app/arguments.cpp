@@ -58,4 +58,9 @@ CLI::Validator whole_number() {
           ""};
 }
 
+void add_read_options(CLI::App& command, ReadOptions& options) {
+  command.add_flag("--lenient", options.lenient,
+                   "leave out what a file of another renderer asks for and umbral lacks; told in the image's header");
+}
+
 }  // namespace umbral

@@ -3,9 +3,11 @@
 
 #include <string>
 
+#include "formats/read_options.h"
 #include "scene/settings.h"
 
 namespace CLI {
+class App;
 class Validator;
 }
 
@@ -25,5 +27,8 @@ CLI::Validator number_above(double low);
 
 /// CLI11 alone would read -1 as 2⁶⁴ − 1.
 CLI::Validator whole_number();
+
+/// --lenient and what else the readers of scene files take.
+void add_read_options(CLI::App& command, ReadOptions& options);
 
 }  // namespace umbral

@@ -32,6 +32,7 @@ struct Arguments {
   std::optional<double> seconds;
   std::string target_error;
   double exposure = 0;
+  ReadOptions read;
   bool quiet = false, statistics = false, json = false, layers = false, auxiliary = false,
        pooled_error = false, stop_at_rejected = false;
 };
@@ -141,7 +142,7 @@ int exit_code_of(const RenderResult& result, const RenderOptions& options) {
 int command(const Arguments& arguments) {
   std::optional<ThreadLimit> threads;
   if (arguments.threads > 0) threads.emplace(arguments.threads);
-  LoadedScene loaded = load_scene(arguments.scene);
+  LoadedScene loaded = load_scene(arguments.scene, arguments.read);
   if (!arguments.environment.empty()) replace_environment(loaded.file, arguments.environment);
   const std::string kind = chosen_integrator(arguments, loaded);
   Integrator& integrator = loaded.integrator(kind);
@@ -150,7 +151,8 @@ int command(const Arguments& arguments) {
                       integrator_text(kind, integrator),
                       integrator.bias_notes(),
                       loaded.file.hash,
-                      render_options(arguments, loaded.file)};
+                      render_options(arguments, loaded.file),
+                      loaded.file.left_out};
   print_warnings(loaded.file, arguments.quiet);
   const Scene scene(relative_to_camera(std::move(loaded.file.scene)));
 
@@ -170,7 +172,7 @@ int command(const Arguments& arguments) {
 }
 
 void add_options(CLI::App& render, Arguments& a) {
-  render.add_option("scene", a.scene, "a .toml scene, or an .obj or .ply model")->required();
+  render.add_option("scene", a.scene, "a .toml or .pbrt scene, or an .obj or .ply model")->required();
   render.add_option("-o,--output", a.output,
                     "the EXR to write, a PNG beside it; default: the scene's name, here");
   render.add_option("--integrator", a.integrator, "how light is gathered, instead of what the scene says");
@@ -188,6 +190,7 @@ void add_options(CLI::App& render, Arguments& a) {
   render.add_option("--crop", a.crop, "part of the image: x0,y0,x1,y1")->delimiter(',')->expected(4);
   render.add_option("--threads", a.threads, "default: all")->check(CLI::Range(1, 4096));
   render.add_option("--env", a.environment, "a latitude-longitude image as the environment");
+  add_read_options(render, a.read);
   render.add_option("--exposure", a.exposure, "stops, of the PNG alone")->check(number_above(-infinity));
   render.add_flag("--layers", a.layers, "the integrator's layers as channels of their own");
   render.add_flag("--aux", a.auxiliary, "albedo, N and Z as channels of their own");

@@ -7,7 +7,7 @@
 
 namespace umbral {
 
-LoadedScene load_scene(const std::string& path) {
+LoadedScene load_scene(const std::string& path, const ReadOptions& options) {
   LoadedScene loaded;
   IntegratorKinds kinds;
   for (const IntegratorEntry& entry : integrators()) kinds.kinds.push_back(entry.kind);
@@ -16,7 +16,7 @@ LoadedScene load_scene(const std::string& path) {
     loaded.integrators[kind] = make_integrator(kind);
     loaded.integrators[kind]->describe(visitor);
   };
-  loaded.file = read_scene_file(path, kinds);
+  loaded.file = read_scene_file(path, kinds, options);
   return loaded;
 }
 

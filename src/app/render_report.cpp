@@ -53,6 +53,7 @@ Provenance provenance(const RenderJob& job, const RenderResult& result, const Sc
   p.render_seconds = result.seconds;
   p.stop_reason = result.stop_reason;
   p.bias_notes = job.bias_notes;
+  if (!job.left_out.empty()) p.extra["leftOut"] = fmt::format("{}", fmt::join(job.left_out, "; "));
   p.extra["features"] = fmt::format("{}", fmt::join(scene.features(), ", "));
   return p;
 }

@@ -17,6 +17,7 @@ struct RenderJob {
   std::vector<std::string> bias_notes;
   std::uint64_t scene_hash = 0;
   RenderOptions options;
+  std::vector<std::string> left_out = {};  // of the scene file
 };
 
 Provenance provenance(const RenderJob& job, const RenderResult& result, const Scene& scene);

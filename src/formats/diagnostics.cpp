@@ -12,6 +12,7 @@ void Diagnostics::name_file(const std::string& file) {
 
 void Diagnostics::add(Severity severity, const Place& place, std::string message) {
   name_file(place.where.file);
+  if (severity == Severity::error) ++error_count_;
   all_.push_back({severity, place.where, std::move(message), place.excerpt()});
 }
 
@@ -26,13 +27,9 @@ void Diagnostics::add(Severity severity, const Place& place, const SceneError& e
 void Diagnostics::adopt(const SceneError& error) {
   for (const Diagnostic& diagnostic : error.diagnostics()) {
     name_file(diagnostic.where.file);
+    if (diagnostic.severity == Severity::error) ++error_count_;
     all_.push_back(diagnostic);
   }
-}
-
-bool Diagnostics::has_errors() const {
-  return std::any_of(all_.begin(), all_.end(),
-                     [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
 void Diagnostics::throw_errors() const {

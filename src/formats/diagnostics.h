@@ -21,7 +21,8 @@ class Diagnostics {
   // The files are told in the order in which they were named here.
   void name_file(const std::string& file);
 
-  bool has_errors() const;
+  bool has_errors() const { return error_count() > 0; }
+  std::size_t error_count() const { return error_count_; }
   // Throws SceneError with all errors if there are any.
   void throw_errors() const;
   std::vector<Diagnostic> warnings() const { return sorted(Severity::warning); }
@@ -33,6 +34,7 @@ class Diagnostics {
   std::size_t rank(const std::string& file) const;
 
   std::vector<Diagnostic> all_;
+  std::size_t error_count_ = 0;
   std::vector<std::string> files_;
 };
 

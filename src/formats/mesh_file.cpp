@@ -64,6 +64,7 @@ FileKind file_kind(const std::filesystem::path& path) {
   if (ending == ".toml") return FileKind::toml;
   if (ending == ".obj") return FileKind::obj;
   if (ending == ".ply") return FileKind::ply;
+  if (ending == ".pbrt") return FileKind::pbrt;
   return FileKind::unknown;
 }
 

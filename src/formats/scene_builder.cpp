@@ -1,6 +1,8 @@
 // Parts of a scene as they come in.
 #include "formats/scene_builder.h"
 
+#include <fmt/format.h>
+
 namespace umbral {
 
 TextureId SceneBuilder::add(Texture texture) {
@@ -28,6 +30,15 @@ std::shared_ptr<const TextureImage> SceneBuilder::image(const std::filesystem::p
   image = std::make_shared<TextureImage>(load_texture_image(file.string(), space, repairs));
   for (const std::string& repair : repairs) diagnostics.warning(place, file.string() + ": " + repair);
   return image;
+}
+
+void SceneBuilder::lacks(const Place& place, const std::string& what) {
+  if (!options.lenient) {
+    diagnostics.error(place, fmt::format("not supported: {}; --lenient leaves it out", what));
+    return;
+  }
+  diagnostics.warning(place, fmt::format("left out: {}", what));
+  left_out.push_back(fmt::format("{}:{}: {}", place.where.file, place.where.line, what));
 }
 
 SceneDescription SceneBuilder::finish() {

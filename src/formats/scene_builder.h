@@ -10,6 +10,7 @@
 
 #include "formats/diagnostics.h"
 #include "formats/input_files.h"
+#include "formats/read_options.h"
 #include "scene/description.h"
 
 namespace umbral {
@@ -32,10 +33,13 @@ struct ObjectDraft {
 
 class SceneBuilder {
  public:
-  SceneBuilder(Diagnostics& diagnostics_, InputFiles& files_) : diagnostics(diagnostics_), files(files_) {}
+  SceneBuilder(Diagnostics& diagnostics_, InputFiles& files_, ReadOptions options_ = {})
+      : diagnostics(diagnostics_), files(files_), options(std::move(options_)) {}
 
   Diagnostics& diagnostics;
   InputFiles& files;
+  ReadOptions options;
+  std::vector<std::string> left_out;  // what lacks() was told
 
   CameraSettings camera;
   bool has_camera = false;
@@ -58,6 +62,10 @@ class SceneBuilder {
   // Throws SceneError if the file cannot be read.
   std::shared_ptr<const TextureImage> image(const std::filesystem::path& file, ColorSpace space,
                                             const Place& place);
+
+  // Tells of something in a file that umbral does not know: "a medium". An error; where the options are lenient it is
+  // left out instead, which becomes a warning and part of the image's provenance.
+  void lacks(const Place& place, const std::string& what);
 
   // Moves everything out.
   SceneDescription finish();

@@ -5,6 +5,7 @@
 #include "formats/framing.h"
 #include "formats/mesh_file.h"
 #include "formats/obj/obj_scene.h"
+#include "formats/pbrt/reader.h"
 #include "formats/place_shape.h"
 #include "formats/toml/scene_reader.h"
 
@@ -23,30 +24,34 @@ void add_ply(const std::filesystem::path& path, const Place& place, SceneBuilder
 
 }  // namespace
 
-SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators) {
+SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators,
+                          const ReadOptions& options) {
   SceneFile result;
   InputFiles files;
   Diagnostics diagnostics;
   diagnostics.name_file(path.string());
-  SceneBuilder builder(diagnostics, files);
+  SceneBuilder builder(diagnostics, files, options);
   const Place place{{path.string()}};
   const FileKind kind = file_kind(path);
   if (kind == FileKind::toml) {
     const auto source = std::make_shared<const SourceText>(path.string(), files.read(path));
     toml_file::read_scene(source, path.parent_path(), integrators, builder, result);
+  } else if (kind == FileKind::pbrt) {
+    pbrt_file::read_scene(path, integrators, builder, result);
   } else {
     toml_file::read_no_settings(integrators, diagnostics, result);
     if (kind == FileKind::obj) add_obj(builder, path, place, Affine{}, {}, builder.world);
     if (kind == FileKind::ply) add_ply(path, place, builder);
     if (kind == FileKind::unknown)
-      diagnostics.error(place, "the name of a scene file must end in .toml, .obj or .ply");
+      diagnostics.error(place, "the name of a scene file must end in .toml, .pbrt, .obj or .ply");
   }
   diagnostics.throw_errors();
-  complete_scene(builder, static_cast<double>(result.film.width) / result.film.height, kind != FileKind::toml,
-                 place);
+  const bool is_model = kind == FileKind::obj || kind == FileKind::ply;
+  complete_scene(builder, static_cast<double>(result.film.width) / result.film.height, is_model, place);
   check_scene(builder, place);
   result.scene = builder.finish();
   result.warnings = diagnostics.warnings();
+  result.left_out = std::move(builder.left_out);
   result.hash = files.hash();
   return result;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "formats/read_options.h"
 #include "scene/description.h"
 #include "scene/parameter_visitor.h"
 #include "scene/settings.h"
@@ -29,12 +30,14 @@ struct SceneFile {
   SamplingSettings sampling;
   std::string integrator;            // the kind chosen
   std::vector<Diagnostic> warnings;  // legal but doubtful, and what was repaired
+  std::vector<std::string> left_out;  // what the file asks for and umbral lacks, with file and line
   std::uint64_t hash = 0;            // of the bytes of the file and of every file it names
 };
 
-// Reads a .toml scene, or an .obj or .ply file as a scene by itself (framed by an automatic camera and lit by
+// Reads a .toml scene, a .pbrt scene of pbrt-v4, or an .obj or .ply file as a scene by itself (framed by an automatic camera and lit by
 // a constant white environment where it has no light, both told in the warnings). Throws SceneError with
 // *every* error found.
-SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators);
+SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators,
+                          const ReadOptions& options = {});
 
 }  // namespace umbral

@@ -10,12 +10,15 @@ Camera::Camera(const CameraSettings& settings, int width, int height)
       forward_(glm::normalize(settings.look_at - settings.position)),
       lens_radius_(settings.lens_radius),
       focus_distance_(settings.focus_distance) {
-  const Vec3 right = glm::normalize(cross(forward_, settings.up));
-  const Vec3 up = cross(right, forward_);
+  const Vec3 unmirrored = glm::normalize(cross(forward_, settings.up));
+  const Vec3 up = cross(unmirrored, forward_);
+  const Vec3 right = settings.mirrored ? -unmirrored : unmirrored;
   const float pixel = 2 * std::tan(glm::radians(settings.fov) / 2) / static_cast<float>(height);
   right_ = right * pixel;
   down_ = -up * pixel;
-  corner_ = forward_ - right_ * (static_cast<float>(width) / 2) - down_ * (static_cast<float>(height) / 2);
+  const Vec2 size(width, height);
+  const Vec2 middle{settings.shift.x * size.y - size.x / 2, -settings.shift.y * size.y - size.y / 2};
+  corner_ = forward_ + right_ * middle.x + down_ * middle.y;
   lens_x_ = right * lens_radius_;
   lens_y_ = up * lens_radius_;
   if (!(focus_distance_ > 0)) focus_distance_ = glm::length(settings.look_at - settings.position);

@@ -16,6 +16,8 @@ struct CameraSettings {
   float fov = 40;
   float lens_radius = 0;
   float focus_distance = 0;
+  bool mirrored = false;
+  Vec2 shift{0, 0};
 
   static constexpr const char* kind = "camera";
   static constexpr const char* doc = "a perspective camera, with a thin lens where lens_radius > 0";
@@ -28,7 +30,11 @@ struct CameraSettings {
                                               non_negative),
       parameter<&CameraSettings::focus_distance>(
           "focus_distance", "of the sharp plane, along the view; 0 is the distance of look_at",
-          non_negative)};
+          non_negative),
+      parameter<&CameraSettings::mirrored>(
+          "mirrored", "left and right change places, as for worlds whose axes are left-handed"),
+      parameter<&CameraSettings::shift>(
+          "shift", "of the lens, right and up, in image heights: look_at leaves the middle of the image")};
 };
 
 class Camera {

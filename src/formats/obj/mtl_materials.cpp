@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/material_parameters.h"
 #include "formats/obj/mtl_textures.h"
 
 namespace umbral {
@@ -160,16 +161,6 @@ Vec3 Conversion::diffuse_color() {
   if (mtl_.colors.contains("Ks")) return Vec3(0);
   note("Kd is not given: 0.5");
   return Vec3(0.5f);
-}
-
-// Puts the values into the parameters of these names.
-template <class T>
-void set_parameters(Material& material, const std::map<std::string, Textured<T>>& values) {
-  for_each_material_parameter(material, [&](const ParameterInfo& info, auto& textured) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(textured)>, Textured<T>>) {
-      if (const auto found = values.find(info.name); found != values.end()) textured = found->second;
-    }
-  });
 }
 
 void Conversion::glossy(Material& material) {

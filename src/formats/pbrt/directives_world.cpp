@@ -1,0 +1,97 @@
+// Directives that put things into the world.
+#include <fmt/format.h>
+
+#include "core/names.h"
+#include "formats/pbrt/directives.h"
+
+namespace umbral::pbrt_file {
+
+void Directives::texture(const Token& at) {
+  const std::string name = text(), type = text(), kind = text();
+  if (type != "float" && type != "spectrum")
+    fail(at, fmt::format("texture '{}' must be of type \"float\" or \"spectrum\", not \"{}\"", name, type));
+  textures_.define(tokens_->place(at), name, type == "float", kind, parameters(at, "texture"));
+}
+
+void Directives::material(const Token& at) {
+  std::string kind = text();
+  state_.material = materials_.make(std::move(kind), parameters(at, "material"));
+}
+
+void Directives::make_named_material(const Token& at) {
+  const std::string name = text();
+  materials_.define(tokens_->place(at), name, parameters(at, "material"));
+}
+
+void Directives::named_material(const Token& at) {
+  const std::string name = text();
+  state_.material = materials_.find(tokens_->place(at), name);
+}
+
+// Only one that something lies in matters.
+void Directives::make_named_medium(const Token& at) {
+  text();
+  parameters(at, "medium");
+}
+
+void Directives::medium_interface(const Token& at) {
+  const std::string inside = text();
+  const std::string outside = tokens_->peek().kind == Token::Kind::string ? text() : inside;
+  if (!inside.empty() || !outside.empty())
+    builder_.lacks(tokens_->place(at),
+                   fmt::format("the medium '{}'", inside.empty() ? outside : inside));
+}
+
+void Directives::light_source(const Token& at) {
+  const std::string kind = text();
+  lights_.add(kind, parameters(at, "light"), state_.to_world, settings_.exposure());
+}
+
+void Directives::area_light_source(const Token& at) {
+  const std::string kind = text();
+  state_.light = area_light(builder_, folder_, kind, parameters(at, "light"), settings_.exposure());
+}
+
+void Directives::shape(const Token& at) {
+  const std::string kind = text();
+  const Parameters given = parameters(at, "shape");
+  if (!in_world_) fail(at, "shapes must stand after WorldBegin");
+  Surroundings around{state_.to_world, state_.reversed, state_.material, state_.light};
+  ShapeList& shapes = open_object_ ? builder_.objects[*open_object_].content : builder_.world;
+  if (open_object_ && !around.light.is_dark()) {
+    around.light = {};
+    builder_.diagnostics.warning(given.place(), "a shape within an object does not shine, as in pbrt");
+  }
+  shapes_.add(kind, given, around, shapes);
+}
+
+void Directives::object_begin(const Token& at) {
+  const std::string name = text();
+  if (open_object_) fail(at, "an object cannot stand in another");
+  push('O');
+  if (!objects_.emplace(name, static_cast<ObjectId>(builder_.objects.size())).second)
+    builder_.diagnostics.error(tokens_->place(at), fmt::format("there is an object '{}' already", name));
+  open_object_ = builder_.objects.size();
+  builder_.objects.push_back({name, {}});
+}
+
+void Directives::object_end(const Token& at) {
+  pop('O', at);
+  open_object_.reset();
+}
+
+void Directives::object_instance(const Token& at) {
+  const std::string name = text();
+  const auto found = objects_.find(name);
+  if (open_object_) fail(at, "an object cannot stand in another");
+  if (found == objects_.end()) {
+    std::vector<std::string> names;
+    for (const auto& [known, id] : objects_) names.push_back(known);
+    builder_.diagnostics.error(tokens_->place(at),
+                               fmt::format("there is no object '{}'{}", name, suggestion(name, names)));
+  } else if (!builder_.objects[index_of(found->second)].content.shapes.empty()) {
+    builder_.instances.push_back({found->second, state_.to_world});
+  }
+}
+
+}  // namespace umbral::pbrt_file

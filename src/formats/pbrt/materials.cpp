@@ -1,0 +1,179 @@
+// Conversion of materials to lobes.
+#include "formats/pbrt/materials.h"
+
+#include <fmt/format.h>
+
+#include "core/names.h"
+#include "formats/material_parameters.h"
+#include "formats/pbrt/colors.h"
+
+namespace umbral::pbrt_file {
+namespace {
+
+Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
+
+// "metal-Au-eta" and "metal-Au-k" of one metal.
+std::optional<Metal> named_metal(const Parameters& parameters) {
+  const Parameter *eta = parameters.find("eta"), *k = parameters.find("k");
+  const auto symbol = [](const Parameter* parameter, const std::string& end) -> std::string {
+    if (!parameter) return "Cu";
+    if (parameter->type != "spectrum" || parameter->strings.empty()) return "";
+    const std::string& name = parameter->strings[0];
+    if (!name.starts_with("metal-") || !name.ends_with(end)) return "";
+    return name.substr(6, name.size() - 6 - end.size());
+  };
+  const std::string metal = symbol(eta, "-eta");
+  if (metal != symbol(k, "-k")) return std::nullopt;
+  const auto& names = EnumNames<Metal>::names;
+  const auto found = std::find(names.begin() + 1, names.end(), metal);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Metal>(found - names.begin());
+}
+
+}  // namespace
+
+MaterialHandle Materials::make(std::string kind, Parameters parameters) const {
+  return std::make_shared<MaterialDefinition>(
+      MaterialDefinition{"", std::move(kind), std::move(parameters)});
+}
+
+void Materials::define(const Place& place, const std::string& name, Parameters parameters) {
+  const std::string kind = parameters.text("type", "");
+  if (!parameters.has("type"))
+    builder_.diagnostics.error(place, fmt::format("material '{}' wants a \"string type\"", name));
+  MaterialHandle material = make(kind, std::move(parameters));
+  material->name = name;
+  if (!named_.emplace(name, std::move(material)).second)
+    builder_.diagnostics.error(place, fmt::format("there is a material '{}' already", name));
+}
+
+MaterialHandle Materials::find(const Place& place, const std::string& name) const {
+  if (const auto found = named_.find(name); found != named_.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, material] : named_) names.push_back(known);
+  builder_.diagnostics.error(place,
+                             fmt::format("there is no material '{}'{}", name, suggestion(name, names)));
+  return standard_;
+}
+
+MaterialId Materials::convert(const MaterialHandle& material, const Textured<float>& alpha) {
+  const auto [at, is_new] =
+      material->converted.emplace(std::pair{alpha.value, alpha.map}, MaterialId::none);
+  if (!is_new) return at->second;
+  Material converted = convert(*material);
+  converted.name = material->name;
+  converted.alpha = alpha;
+  return at->second = builder_.add(std::move(converted), material->parameters.place());
+}
+
+Material Materials::convert(const MaterialDefinition& definition) {
+  const Parameters& parameters = definition.parameters;
+  parameters.lacks("displacement", "bumps by a displacement texture");
+  parameters.lacks("normalmap", "a normal map");
+  parameters.ignore({"type"});
+  Material material = with_lobe(Lambert{});
+  if (definition.kind == "diffuse") {
+    material = diffuse(parameters);
+  } else if (definition.kind == "coateddiffuse") {
+    material = coated_diffuse(parameters);
+  } else if (definition.kind == "conductor") {
+    material = conductor(parameters);
+  } else if (definition.kind == "dielectric") {
+    material = dielectric(parameters);
+  } else if (definition.kind == "thindielectric") {
+    material =
+        with_lobe(ThinDielectric{static_cast<float>(index_of_refraction(builder_, parameters, "eta", 1.5))});
+  } else if (definition.kind == "diffusetransmission") {
+    material = diffuse_transmission(parameters);
+  } else {
+    builder_.lacks(parameters.place(), fmt::format("a material of type '{}'", definition.kind));
+    return material;
+  }
+  parameters.report_unknown(fmt::format("material '{}'", definition.kind));
+  return material;
+}
+
+Material Materials::diffuse(const Parameters& parameters) {
+  Material material = with_lobe(Lambert{});
+  set_parameters<Spectrum>(material,
+                           {{"reflectance", textures_.spectrum(parameters, "reflectance", grey(0.5f))}});
+  return material;
+}
+
+Material Materials::coated_diffuse(const Parameters& parameters) {
+  Plastic lobe;
+  lobe.eta = static_cast<float>(index_of_refraction(builder_, parameters, "eta", 1.5));
+  lobe.roughness = roughness(parameters);
+  Material material = with_lobe(lobe);
+  set_parameters<Spectrum>(material,
+                           {{"reflectance", textures_.spectrum(parameters, "reflectance", grey(0.5f))}});
+  if (!is_black(albedo(builder_, parameters, "albedo", black)))
+    parameters.lacks("albedo", "a medium between coat and base");
+  parameters.ignore({"thickness", "g", "maxdepth", "nsamples"});
+  return material;
+}
+
+// R = ((n − 1)² + k²)/((n + 1)² + k²) with n = 1 gives k = 2 √R/√(1 − R), as pbrt takes a reflectance.
+Material Materials::conductor(const Parameters& parameters) {
+  Conductor lobe;
+  lobe.roughness = roughness(parameters);
+  if (parameters.has("reflectance")) {
+    const Textured<Spectrum> reflectance = textures_.spectrum(parameters, "reflectance", white);
+    if (!reflectance.is_constant()) parameters.lacks("reflectance", "a texture for a metal's reflectance");
+    const Spectrum r = glm::min(reflectance.value, Spectrum(0.9996f));
+    lobe.eta = white;
+    lobe.k = glm::min(2.0f * glm::sqrt(r) / glm::sqrt(Spectrum(1.0f) - r), Spectrum(100.0f)) * white;
+  } else if (const auto metal = named_metal(parameters)) {
+    lobe.metal = *metal;
+  } else {
+    const std::optional<Spectrum> eta = unbounded(builder_, parameters, "eta"),
+                                  k = unbounded(builder_, parameters, "k");
+    if (eta && k) {
+      lobe.eta = *eta;
+      lobe.k = *k;
+    } else {
+      builder_.lacks(parameters.place(), "a metal whose eta and k are not both RGB or both of one named metal");
+    }
+  }
+  return with_lobe(lobe);
+}
+
+Material Materials::dielectric(const Parameters& parameters) {
+  Dielectric lobe;
+  lobe.eta = static_cast<float>(index_of_refraction(builder_, parameters, "eta", 1.5));
+  lobe.roughness = roughness(parameters);
+  return with_lobe(lobe);
+}
+
+Material Materials::diffuse_transmission(const Parameters& parameters) {
+  Material material = with_lobe(DiffuseTransmission{});
+  const auto scale = static_cast<float>(parameters.number("scale", 1));
+  const auto scaled = [&](const char* name) {
+    Textured<Spectrum> value = textures_.spectrum(parameters, name, grey(0.25f));
+    if (!value.is_constant() && scale != 1)
+      builder_.lacks(parameters.place(), "a scale of textures that shine through");
+    value.value *= scale;
+    return value;
+  };
+  set_parameters<Spectrum>(
+      material, {{"reflectance", scaled("reflectance")}, {"transmittance", scaled("transmittance")}});
+  return material;
+}
+
+// The square root of GGX's alpha, which is the file's number or, where that is remapped, the square root of it.
+float Materials::roughness(const Parameters& parameters) {
+  const bool remap = parameters.flag("remaproughness", true);
+  const Textured<float> both = textures_.number(parameters, "roughness", 0);
+  const Textured<float> u = textures_.number(parameters, "uroughness", both.value),
+                        v = textures_.number(parameters, "vroughness", both.value);
+  if (!both.is_constant() || !u.is_constant() || !v.is_constant()) {
+    builder_.lacks(parameters.place(), "a texture for roughness");
+    return 0.3f;
+  }
+  if (u.value != v.value) builder_.lacks(parameters.place(), "roughness that differs in u and v");
+  const float given = std::sqrt(std::max(0.0f, u.value) * std::max(0.0f, v.value));
+  const float alpha = std::min(1.0f, remap ? std::sqrt(given) : given);
+  return std::sqrt(alpha);
+}
+
+}  // namespace umbral::pbrt_file

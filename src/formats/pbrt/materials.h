@@ -1,0 +1,54 @@
+// The materials of a pbrt file.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "formats/pbrt/textures.h"
+
+namespace umbral::pbrt_file {
+
+// A material as the file describes it, converted when a shape first asks for it.
+struct MaterialDefinition {
+  std::string name;  // empty for one without
+  std::string kind;
+  Parameters parameters;
+  std::map<std::pair<float, TextureId>, MaterialId> converted = {};  // by opacity
+};
+using MaterialHandle = std::shared_ptr<MaterialDefinition>;
+
+class Materials {
+ public:
+  Materials(SceneBuilder& builder, Textures& textures) : builder_(builder), textures_(textures) {}
+
+  // Diffuse, of reflectance 0.5.
+  MaterialHandle standard() const { return standard_; }
+  MaterialHandle make(std::string kind, Parameters parameters) const;
+  void define(const Place& place, const std::string& name, Parameters parameters);
+  // The standard one where there is none of that name, which is told.
+  MaterialHandle find(const Place& place, const std::string& name) const;
+
+  MaterialId convert(const MaterialHandle& material, const Textured<float>& alpha);
+
+  // A surface that light does not see: it only bounds a medium.
+  static bool is_interface(const MaterialDefinition& material) {
+    return material.kind.empty() || material.kind == "interface" || material.kind == "none";
+  }
+
+ private:
+  Material convert(const MaterialDefinition& definition);
+  Material diffuse(const Parameters& parameters);
+  Material coated_diffuse(const Parameters& parameters);
+  Material conductor(const Parameters& parameters);
+  Material dielectric(const Parameters& parameters);
+  Material diffuse_transmission(const Parameters& parameters);
+  float roughness(const Parameters& parameters);
+
+  SceneBuilder& builder_;
+  Textures& textures_;
+  std::map<std::string, MaterialHandle> named_;
+  MaterialHandle standard_ = std::make_shared<MaterialDefinition>(MaterialDefinition{"", "diffuse", {}});
+};
+
+}  // namespace umbral::pbrt_file

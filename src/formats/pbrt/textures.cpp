@@ -1,0 +1,157 @@
+// Conversion of named textures to textures of a scene.
+#include "formats/pbrt/textures.h"
+
+#include <fmt/format.h>
+
+#include "core/names.h"
+#include "formats/pbrt/colors.h"
+
+namespace umbral::pbrt_file {
+
+void Textures::define(const Place& place, const std::string& name, bool is_float, const std::string& kind,
+                      Parameters parameters) {
+  const auto [at, is_new] = definitions_[is_float].emplace(name, Definition{kind, std::move(parameters)});
+  if (!is_new) builder_.diagnostics.error(place, fmt::format("there is a texture '{}' already", name));
+}
+
+Textured<Spectrum> Textures::spectrum(const Parameters& parameters, const std::string& name,
+                                      const Spectrum& otherwise) {
+  return value(parameters, name, otherwise, false);
+}
+
+Textured<float> Textures::number(const Parameters& parameters, const std::string& name, float otherwise) {
+  const Textured<Spectrum> found = value(parameters, name, grey(otherwise), true);
+  return {found.value.r, found.map};
+}
+
+Textured<Spectrum> Textures::value(const Parameters& parameters, const std::string& name,
+                                   const Spectrum& otherwise, bool is_float) {
+  const Parameter* found = parameters.find(name);
+  if (!found) return {otherwise};
+  if (found->type == "texture") return find(*found, is_float);
+  if (is_float) return {grey(static_cast<float>(parameters.number(name, otherwise.r)))};
+  return {albedo(builder_, parameters, name, otherwise)};
+}
+
+Textured<Spectrum> Textures::find(const Parameter& parameter, bool is_float) {
+  const std::string name = parameter.strings.empty() ? "" : parameter.strings[0];
+  const auto found = definitions_[is_float].find(name);
+  if (found != definitions_[is_float].end()) {
+    Definition& definition = found->second;
+    if (!definition.converted && definition.is_converting) {
+      builder_.diagnostics.error(parameter.place, fmt::format("texture '{}' is made of itself", name));
+    } else if (!definition.converted) {
+      definition.is_converting = true;
+      definition.converted = convert(name, definition, is_float);
+    }
+    return definition.converted.value_or(Textured<Spectrum>{grey(0.5f)});
+  }
+  std::vector<std::string> names;
+  for (const auto& [known, definition] : definitions_[is_float]) names.push_back(known);
+  builder_.diagnostics.error(parameter.place, fmt::format("there is no {} texture '{}'{}",
+                                                          is_float ? "float" : "spectrum", name,
+                                                          suggestion(name, names)));
+  return {grey(0.5f)};
+}
+
+Textured<Spectrum> Textures::convert(const std::string& name, Definition& definition, bool is_float) {
+  const Parameters& parameters = definition.parameters;
+  Textured<Spectrum> result{grey(0.5f)};
+  if (definition.kind == "constant") {
+    result = value(parameters, "value", white, is_float);
+  } else if (definition.kind == "imagemap") {
+    result = image(name, parameters);
+  } else if (definition.kind == "checkerboard") {
+    result = checker(name, parameters, is_float);
+  } else if (definition.kind == "scale") {
+    result = scaled(parameters, is_float);
+  } else {
+    builder_.lacks(parameters.place(), fmt::format("a texture of kind '{}'", definition.kind));
+    return result;
+  }
+  parameters.report_unknown(fmt::format("texture '{}'", definition.kind));
+  return result;
+}
+
+template <class Map>
+void Textures::read_mapping(const Parameters& parameters, Map& texture) const {
+  const std::string mapping = parameters.text("mapping", "uv");
+  if (mapping != "uv")
+    parameters.lacks("mapping", fmt::format("texture coordinates by '{}' mapping", mapping));
+  parameters.ignore({"v1", "v2"});
+  texture.uv_scale = Vec2(parameters.number("uscale", 1), parameters.number("vscale", 1));
+  texture.uv_offset = Vec2(parameters.number("udelta", 0), parameters.number("vdelta", 0));
+}
+
+Textured<Spectrum> Textures::image(const std::string& name, const Parameters& parameters) {
+  ImageTexture texture;
+  read_mapping(parameters, texture);
+  const Parameter* file = parameters.find("filename", {"string"}, 1);
+  parameters.ignore({"maxanisotropy"});
+  if (parameters.text("filter", "bilinear") == "point") texture.filter = TextureFilter::nearest;
+  const std::string encoding = parameters.text("encoding", "");
+  if (encoding == "linear") texture.color_space = ColorSpace::linear;
+  if (encoding == "sRGB") texture.color_space = ColorSpace::srgb;
+  if (!encoding.empty() && encoding != "linear" && encoding != "sRGB")
+    parameters.lacks("encoding", fmt::format("images encoded by '{}'", encoding));
+  const std::string wrap = parameters.text("wrap", "repeat");
+  if (wrap == "clamp") texture.wrap = Wrap::clamp;
+  if (wrap == "black") texture.wrap = Wrap::none;
+  if (wrap == "octahedralsphere") parameters.lacks("wrap", "the wrap mode 'octahedralsphere'");
+  texture.factor = static_cast<float>(parameters.number("scale", 1));
+  if (parameters.flag("invert", false)) {
+    texture.factor = -texture.factor;
+    texture.bias = 1;
+  }
+  if (!file) {
+    builder_.diagnostics.error(parameters.place(), "an image texture wants a \"string filename\"");
+    return {grey(0.5f)};
+  }
+  texture.file = file->strings[0];
+  const std::filesystem::path path = (folder_ / texture.file).lexically_normal();
+  try {
+    texture.image = builder_.image(path, texture.color_space, file->place);
+  } catch (const SceneError& error) {
+    builder_.diagnostics.error(file->place, error);
+    return {grey(0.5f)};
+  }
+  texture.prepare();
+  return {white, builder_.add(Texture{name, std::move(texture)})};
+}
+
+Textured<Spectrum> Textures::checker(const std::string& name, const Parameters& parameters, bool is_float) {
+  CheckerTexture texture;
+  read_mapping(parameters, texture);
+  if (parameters.integer("dimension", 2) != 2)
+    parameters.lacks("dimension", "a checkerboard in three dimensions");
+  const Textured<Spectrum> even = value(parameters, "tex1", white, is_float),
+                           odd = value(parameters, "tex2", black, is_float);
+  if (!even.is_constant() || !odd.is_constant())
+    builder_.lacks(parameters.place(), "a checkerboard of textures");
+  texture.even = even.value;
+  texture.odd = odd.value;
+  texture.prepare();
+  return {white, builder_.add(Texture{name, std::move(texture)})};
+}
+
+// Of an image by a number, which is the image's own factor.
+Textured<Spectrum> Textures::scaled(const Parameters& parameters, bool is_float) {
+  Textured<Spectrum> texture = value(parameters, "tex", white, is_float);
+  const Textured<float> factor = number(parameters, "scale", 1);
+  if (!factor.is_constant()) {
+    builder_.lacks(parameters.place(), "a texture that scales another");
+    return texture;
+  }
+  if (texture.is_constant()) return {texture.value * factor.value};
+  Texture scaled = builder_.textures[index_of(texture.map)];
+  if (auto* image = std::get_if<ImageTexture>(&scaled.kind)) {
+    image->factor *= factor.value;
+    image->bias *= factor.value;
+  } else if (auto* checker = std::get_if<CheckerTexture>(&scaled.kind)) {
+    checker->even *= factor.value;
+    checker->odd *= factor.value;
+  }
+  return {white, builder_.add(std::move(scaled))};
+}
+
+}  // namespace umbral::pbrt_file

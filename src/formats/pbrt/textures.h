@@ -1,0 +1,48 @@
+// The named textures of a pbrt file.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "formats/pbrt/parameters.h"
+
+namespace umbral::pbrt_file {
+
+class Textures {
+ public:
+  Textures(SceneBuilder& builder, std::filesystem::path folder)
+      : builder_(builder), folder_(std::move(folder)) {}
+
+  // Converted when something asks for it.
+  void define(const Place& place, const std::string& name, bool is_float, const std::string& kind,
+              Parameters parameters);
+
+  // A parameter that may name a texture; of the given value where it is absent.
+  Textured<Spectrum> spectrum(const Parameters& parameters, const std::string& name, const Spectrum& otherwise);
+  Textured<float> number(const Parameters& parameters, const std::string& name, float otherwise);
+
+ private:
+  struct Definition {
+    std::string kind;
+    Parameters parameters;
+    bool is_converting = false;
+    std::optional<Textured<Spectrum>> converted = {};
+  };
+
+  Textured<Spectrum> find(const Parameter& parameter, bool is_float);
+  Textured<Spectrum> convert(const std::string& name, Definition& definition, bool is_float);
+  Textured<Spectrum> value(const Parameters& parameters, const std::string& name, const Spectrum& otherwise,
+                           bool is_float);
+  Textured<Spectrum> image(const std::string& name, const Parameters& parameters);
+  Textured<Spectrum> checker(const std::string& name, const Parameters& parameters, bool is_float);
+  Textured<Spectrum> scaled(const Parameters& parameters, bool is_float);
+  template <class Map>
+  void read_mapping(const Parameters& parameters, Map& texture) const;
+
+  SceneBuilder& builder_;
+  std::filesystem::path folder_;
+  std::map<std::string, Definition> definitions_[2];  // of spectra, of floats
+};
+
+}  // namespace umbral::pbrt_file
