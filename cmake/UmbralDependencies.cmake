@@ -1,7 +1,7 @@
 # Finds every library outside the project, under its usual target name, and names the packages that lack.
 #
 # umbral::embree (3 or 4, says which)  OpenEXR::OpenEXR  OpenImageIO::OpenImageIO  glm::glm  TBB::tbb
-# Boost::headers  tomlplusplus::tomlplusplus  nlohmann_json::nlohmann_json  CLI11::CLI11  fmt::fmt, and with
+# Boost::headers  tomlplusplus::tomlplusplus  pugixml::pugixml  ZLIB::ZLIB  nlohmann_json::nlohmann_json  CLI11::CLI11  fmt::fmt, and with
 # the tests GTest::gtest_main and GTest::gmock, with the benchmarks benchmark::benchmark.
 set(umbral_missing "")
 
@@ -72,6 +72,16 @@ endif()
 find_package(tomlplusplus 3.3 CONFIG QUIET)
 if(NOT tomlplusplus_FOUND)
   umbral_lacks("toml++ (3.3 or newer)" libtomlplusplus-dev)
+endif()
+
+find_package(pugixml CONFIG QUIET)
+if(NOT pugixml_FOUND)
+  umbral_lacks("pugixml" libpugixml-dev)
+endif()
+
+find_package(ZLIB QUIET)
+if(NOT ZLIB_FOUND)
+  umbral_lacks("zlib" zlib1g-dev)
 endif()
 
 find_package(nlohmann_json 3.11 CONFIG QUIET)

@@ -59,8 +59,22 @@ CLI::Validator whole_number() {
 }
 
 void add_read_options(CLI::App& command, ReadOptions& options) {
-  command.add_flag("--lenient", options.lenient,
-                   "leave out what a file of another renderer asks for and umbral lacks; told in the image's header");
+  command.add_flag(
+      "--lenient", options.lenient,
+      "leave out what a file of another renderer asks for and umbral lacks; told in the image's header");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "-D",
+          [&options](const std::vector<std::string>& definitions) {
+            for (const std::string& text : definitions) {
+              const std::size_t equals = text.find('=');
+              if (equals == 0 || equals == std::string::npos)
+                refuse("-D wants name=value, not '" + text + "'");
+              options.definitions[text.substr(0, equals)] = text.substr(equals + 1);
+            }
+          },
+          "name=value: of a parameter that a Mitsuba file declares with <default>")
+      ->type_name("NAME=VALUE");
 }
 
 }  // namespace umbral

@@ -172,7 +172,8 @@ int command(const Arguments& arguments) {
 }
 
 void add_options(CLI::App& render, Arguments& a) {
-  render.add_option("scene", a.scene, "a .toml or .pbrt scene, or an .obj or .ply model")->required();
+  render.add_option("scene", a.scene, "a .toml, .pbrt or Mitsuba .xml scene, or an .obj or .ply model")
+      ->required();
   render.add_option("-o,--output", a.output,
                     "the EXR to write, a PNG beside it; default: the scene's name, here");
   render.add_option("--integrator", a.integrator, "how light is gathered, instead of what the scene says");

@@ -70,6 +70,8 @@ std::optional<BsdfSample> Plastic::sample(const Vec3& wo, float u1, const Vec2& 
   return sample_at(*this, wo, on_side_of(wi, wo));
 }
 
+float Plastic::internal_reflectance() const { return 1 - (1 - skin_average(*this)) / sqr(eta); }
+
 Spectrum Plastic::albedo() const {
   const float skin = skin_albedo(*this, 1);
   return white * skin + body_color(*this, skin_average(*this)) * (1 - skin);

@@ -35,6 +35,7 @@ struct Plastic {
   float pdf(const Vec3& wo, const Vec3& wi) const;
   std::optional<BsdfSample> sample(const Vec3& wo, float u1, const Vec2& u2) const;
   Spectrum albedo() const;
+  float internal_reflectance() const;  // K: share of the light from the body that the skin sends back
   BlinnPhongCoefficients local_model() const;
 };
 

@@ -22,8 +22,8 @@ Vec3 normal_of(const BilinearPatch& patch, float u, float v) {
 
 bool BilinearPatch::is_parallelogram() const {
   const Vec3d off = Vec3d(corners[0]) - Vec3d(corners[1]) - Vec3d(corners[2]) + Vec3d(corners[3]);
-  const double size = glm::length(Vec3d(corners[3]) - Vec3d(corners[0])) +
-                      glm::length(Vec3d(corners[2]) - Vec3d(corners[1]));
+  const double size =
+      glm::length(Vec3d(corners[3]) - Vec3d(corners[0])) + glm::length(Vec3d(corners[2]) - Vec3d(corners[1]));
   return glm::length(off) <= 1e-6 * size;
 }
 
@@ -32,7 +32,8 @@ void append_patch(Mesh& mesh, const BilinearPatch& patch, int steps, bool with_n
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) {
-      const float u = static_cast<float>(i) / static_cast<float>(n), v = static_cast<float>(j) / static_cast<float>(n);
+      const float u = static_cast<float>(i) / static_cast<float>(n),
+                  v = static_cast<float>(j) / static_cast<float>(n);
       mesh.positions.push_back(blend(patch.corners, u, v));
       mesh.uvs.push_back(blend(patch.uvs, u, v));
       if (with_normals) mesh.normals.push_back(normal_of(patch, u, v));

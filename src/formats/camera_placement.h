@@ -7,11 +7,11 @@ namespace umbral {
 
 // What the camera's own axes are in the world, and its lens in its own units.
 struct PlacedCamera {
-  Affine to_world;               // x right, y up and z along the view
-  double half_height = 1;        // of the image on the plane z = 1
-  glm::dvec2 center{0, 0};       // of the image on that plane
+  Affine to_world;          // x right, y up and z along the view
+  double half_height = 1;   // of the image on the plane z = 1
+  glm::dvec2 center{0, 0};  // of the image on that plane
   double lens_radius = 0;
-  double focus_distance = 0;     // 0 where nothing is said
+  double focus_distance = 0;  // 0 where nothing is said
 };
 
 // Sets the builder's camera; what cannot be so (axes that are not at right angles or of different lengths) is told at

@@ -107,9 +107,10 @@ void SceneChecks::check_shape(const Shape& shape, const Place& place) {
   const Material& material = scene_.materials[index_of(shape.material)];
   if (interior(material.lobe)) {
     const auto* mesh = std::get_if<Mesh>(&shape.kind);
-    const bool flat =
-        std::holds_alternative<Rectangle>(shape.kind) || std::holds_alternative<Disk>(shape.kind);
-    if (flat || (mesh && !is_closed(*mesh)))
+    const bool open = std::holds_alternative<Rectangle>(shape.kind) ||
+                      std::holds_alternative<Disk>(shape.kind) ||
+                      std::holds_alternative<Cylinder>(shape.kind);
+    if (open || (mesh && !is_closed(*mesh)))
       warn(place, fmt::format("{} is of {} '{}' but is not closed: it has no inside", name_of(shape),
                               kind_of(material.lobe), material.name));
   }

@@ -202,8 +202,8 @@ Mesh loop_subdivided(const Mesh& control, int levels) {
   level.triangles = control.triangles;
   find_edges(level);
   for (int i = 0; i < levels; ++i) level = refined(level);
-  const std::vector<Vec3d> limit =
-      moved_vertices(level, [](int n) { return 1 / (n + 3 / (8 * beta(n))); }, 1.0 / 5);
+  const std::vector<Vec3d> limit = moved_vertices(
+      level, [](int n) { return 1 / (n + 3 / (8 * beta(n))); }, 1.0 / 5);
   const TangentWalk tangents(level);
   Mesh mesh;
   mesh.triangles = level.triangles;

@@ -65,6 +65,7 @@ FileKind file_kind(const std::filesystem::path& path) {
   if (ending == ".obj") return FileKind::obj;
   if (ending == ".ply") return FileKind::ply;
   if (ending == ".pbrt") return FileKind::pbrt;
+  if (ending == ".xml") return FileKind::mitsuba;
   return FileKind::unknown;
 }
 

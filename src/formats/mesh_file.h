@@ -9,7 +9,7 @@
 
 namespace umbral {
 
-enum class FileKind { toml, obj, ply, pbrt, unknown };
+enum class FileKind { toml, obj, ply, pbrt, mitsuba, unknown };
 
 // By the name's ending, in capitals or not.
 FileKind file_kind(const std::filesystem::path& path);

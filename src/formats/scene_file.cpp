@@ -4,6 +4,7 @@
 #include "formats/checks.h"
 #include "formats/framing.h"
 #include "formats/mesh_file.h"
+#include "formats/mitsuba/reader.h"
 #include "formats/obj/obj_scene.h"
 #include "formats/pbrt/reader.h"
 #include "formats/place_shape.h"
@@ -33,17 +34,21 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
   SceneBuilder builder(diagnostics, files, options);
   const Place place{{path.string()}};
   const FileKind kind = file_kind(path);
+  if (!options.definitions.empty() && kind != FileKind::mitsuba)
+    diagnostics.error(place, "-D has no effect: only Mitsuba files have parameters");
   if (kind == FileKind::toml) {
     const auto source = std::make_shared<const SourceText>(path.string(), files.read(path));
     toml_file::read_scene(source, path.parent_path(), integrators, builder, result);
   } else if (kind == FileKind::pbrt) {
     pbrt_file::read_scene(path, integrators, builder, result);
+  } else if (kind == FileKind::mitsuba) {
+    mitsuba_file::read_scene(path, integrators, builder, result);
   } else {
     toml_file::read_no_settings(integrators, diagnostics, result);
     if (kind == FileKind::obj) add_obj(builder, path, place, Affine{}, {}, builder.world);
     if (kind == FileKind::ply) add_ply(path, place, builder);
     if (kind == FileKind::unknown)
-      diagnostics.error(place, "the name of a scene file must end in .toml, .pbrt, .obj or .ply");
+      diagnostics.error(place, "the name of a scene file must end in .toml, .pbrt, .xml, .obj or .ply");
   }
   diagnostics.throw_errors();
   const bool is_model = kind == FileKind::obj || kind == FileKind::ply;

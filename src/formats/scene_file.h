@@ -28,13 +28,13 @@ struct SceneFile {
   SceneDescription scene;
   FilmSettings film;
   SamplingSettings sampling;
-  std::string integrator;            // the kind chosen
-  std::vector<Diagnostic> warnings;  // legal but doubtful, and what was repaired
+  std::string integrator;             // the kind chosen
+  std::vector<Diagnostic> warnings;   // legal but doubtful, and what was repaired
   std::vector<std::string> left_out;  // what the file asks for and umbral lacks, with file and line
-  std::uint64_t hash = 0;            // of the bytes of the file and of every file it names
+  std::uint64_t hash = 0;             // of the bytes of the file and of every file it names
 };
 
-// Reads a .toml scene, a .pbrt scene of pbrt-v4, or an .obj or .ply file as a scene by itself (framed by an automatic camera and lit by
+// Reads a .toml scene, a .pbrt scene of pbrt-v4, an .xml scene of Mitsuba, or an .obj or .ply file as a scene by itself (framed by an automatic camera and lit by
 // a constant white environment where it has no light, both told in the warnings). Throws SceneError with
 // *every* error found.
 SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators,

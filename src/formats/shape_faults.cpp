@@ -30,6 +30,11 @@ std::optional<ShapeFault> own_fault(const Disk& disk) {
   return ShapeFault{"normal", "'normal' of 'disk' has no direction"};
 }
 
+std::optional<ShapeFault> own_fault(const Cylinder& cylinder) {
+  if (cylinder.top != cylinder.bottom) return std::nullopt;
+  return ShapeFault{"top", "'top' of 'cylinder' is its 'bottom': it has no axis"};
+}
+
 std::optional<ShapeFault> own_fault(const Sphere&) { return std::nullopt; }
 std::optional<ShapeFault> own_fault(const Torus&) { return std::nullopt; }
 

@@ -15,7 +15,10 @@ using SpectralCurve = std::function<double(double nanometres)>;
 // no light.
 Spectrum light_color(const SpectralCurve& spectrum);
 
-// That of a black body [Planck 1901]; kelvin > 0.
+// The linear RGB of light of that spectrum, of which a flat one of 1 has luminance 1; negative components become 0.
+Spectrum emission_color(const SpectralCurve& spectrum);
+
+// That of a black body [Planck 1901], with luminance 1; kelvin > 0.
 Spectrum black_body_color(double kelvin);
 
 // The linear RGB of a surface of that reflectance in daylight D65, so that 1 everywhere is white.

@@ -29,8 +29,7 @@ struct CameraSettings {
       parameter<&CameraSettings::lens_radius>("lens_radius", "of the thin lens; 0 is a pinhole",
                                               non_negative),
       parameter<&CameraSettings::focus_distance>(
-          "focus_distance", "of the sharp plane, along the view; 0 is the distance of look_at",
-          non_negative),
+          "focus_distance", "of the sharp plane, along the view; 0 is the distance of look_at", non_negative),
       parameter<&CameraSettings::mirrored>(
           "mirrored", "left and right change places, as for worlds whose axes are left-handed"),
       parameter<&CameraSettings::shift>(

@@ -46,6 +46,45 @@ constexpr const char* mtl_scene =
     "t.tga\n"
     "map_d -imfchan r t.tga\nPr 1\n";
 
+constexpr const char* pbrt_scene = R"(LookAt 0 1 4  0 1 0  0 1 0
+Film "rgb" "integer xresolution" [ 64 ] "integer yresolution" 32 # small
+Camera "perspective" "float fov" [ 40 ]
+Sampler "sobol" "integer pixelsamples" 8
+Integrator "path" "integer maxdepth" [ 5 ]
+WorldBegin
+Texture "leaf" "spectrum" "imagemap" "string filename" "t.tga" "float uscale" 2
+MakeNamedMaterial "m" "string type" "coateddiffuse" "texture reflectance" "leaf" "float roughness" 0.1
+AttributeBegin
+  Translate 0 2 0 Rotate 30 0 1 0 Scale 1 -1 1
+  AreaLightSource "diffuse" "blackbody L" 3000 "float power" 10
+  Shape "disk" "float radius" 0.5
+AttributeEnd
+ObjectBegin "o"
+  NamedMaterial "m"
+  Shape "loopsubdiv" "integer levels" 2 "point3 P" [ 0 0 0 1 0 0 0 1 0 0 0 1 ] "integer indices" [ 0 2 1 0 1 3 1 2 3 2 0 3 ]
+ObjectEnd
+ConcatTransform [ 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 ]
+ObjectInstance "o"
+Material "conductor" "spectrum eta" "metal-Au-eta" "spectrum k" "metal-Au-k"
+Shape "bilinearmesh" "point3 P" [ 0 0 0 1 0 0 0 1 0 1 1 1 ] "float alpha" 0.5
+Shape "plymesh" "string filename" "a.ply"
+LightSource "spot" "rgb I" [ 1 2 3 ] "point3 from" [ 0 3 0 ]
+)";
+
+constexpr const char* mitsuba_scene = R"(<scene version='3.0.0'><default name='r' value='2'/>
+<integrator type='path'><integer name='max_depth' value='4'/></integrator>
+<sensor type='perspective'><float name='fov' value='40'/>
+<transform name='to_world'><lookat origin='0 1 4' target='0 1 0' up='0 1 0'/></transform>
+<film type='hdrfilm'><integer name='width' value='64'/><integer name='height' value='32'/></film></sensor>
+<bsdf type='twosided' id='m'><bsdf type='diffuse'><texture type='bitmap' name='reflectance'>
+<string name='filename' value='t.tga'/><transform name='to_uv'><scale value='2'/></transform></texture></bsdf></bsdf>
+<shape type='shapegroup' id='g'><shape type='sphere'><float name='radius' value='$r'/><ref id='m'/></shape></shape>
+<shape type='instance'><ref id='g'/><transform name='to_world'><rotate y='1' angle='45'/></transform></shape>
+<shape type='ply'><string name='filename' value='a.ply'/>
+<emitter type='area'><spectrum name='radiance' value='400:0, 700:18.4'/></emitter></shape>
+</scene>
+)";
+
 std::string ply_scene(bool binary) {
   std::string text = std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
                      " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -69,6 +108,8 @@ std::vector<Sample> samples() {
   return {{"scene.toml", "scene.toml", toml_scene},
           {"m.obj", "m.obj", obj_scene},
           {"m.mtl", "m.obj", mtl_scene},
+          {"scene.pbrt", "scene.pbrt", pbrt_scene},
+          {"scene.xml", "scene.xml", mitsuba_scene},
           {"a.ply", "a.ply", ply_scene(false)},
           {"b.ply", "b.ply", ply_scene(true)},
           {"t.tga", "m.obj", test::tga(4, 4, 10, 20, 30, 40)}};

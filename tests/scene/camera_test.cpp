@@ -116,6 +116,28 @@ TEST(ThinLens, SendsAllRaysOfAFilmPointThroughOnePointOfTheSharpPlane) {
   }
 }
 
+TEST(Camera, MirroredChangesLeftAndRightAlone) {
+  CameraSettings settings = looking({1, 2, 3}, {-4, 0, 7}, 35);
+  const Camera plain(settings, 64, 36);
+  settings.mirrored = true;
+  const Camera mirrored(settings, 64, 36);
+  for (const Vec2 film : {Vec2(0, 0), Vec2(10, 30), Vec2(64, 18)})
+    EXPECT_LT(degrees_between(mirrored.ray(film, middle_of_lens).d,
+                              plain.ray({64 - film.x, film.y}, middle_of_lens).d),
+              1e-5);
+}
+
+// A shift by half the image's height puts the lower edge of a wide view where its middle was.
+TEST(Camera, ShiftMovesTheImageUpAndRightInItsPlane) {
+  CameraSettings settings = looking({0, 0, 5}, {0, 0, 0}, 60);
+  settings.shift = {0.25f, 0.5f};
+  const Camera camera(settings, 200, 100);
+  EXPECT_LT(degrees_between(camera.ray({75, 100}, middle_of_lens).d, Vec3(0, 0, -1)), 1e-4);
+  const Vec3 top = camera.ray({75, 0}, middle_of_lens).d;
+  EXPECT_NEAR(top.y / -top.z, 2 * std::tan(glm::radians(30.0)), 1e-5) << "its plane does not turn";
+  EXPECT_GT(camera.ray({100, 50}, middle_of_lens).d.x, 0);
+}
+
 TEST(ThinLens, IsSampledEvenlyOverItsDisk) {
   CameraSettings settings = looking({0, 0, 0}, {0, 0, -1}, 45);
   settings.lens_radius = 2;

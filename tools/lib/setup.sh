@@ -9,7 +9,8 @@ umbral_root=$(dirname "$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")"
 
 # What Debian calls the libraries that the build needs; missing_packages adds the programs.
 umbral_library_packages=(libembree-dev libopenexr-dev libopenimageio-dev libglm-dev libtbb-dev
-  libtomlplusplus-dev libcli11-dev libfmt-dev libboost-dev nlohmann-json3-dev)
+  libtomlplusplus-dev libcli11-dev libfmt-dev libboost-dev nlohmann-json3-dev libpugixml-dev
+  zlib1g-dev)
 umbral_test_packages=(libgtest-dev libgmock-dev chromium)
 umbral_oldest_cmake=3.22
 
@@ -90,7 +91,7 @@ ensure_packages() {
     ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
   elif ! have apt-get; then
     umbral_no_apt="There is no apt-get here: install a C++20 compiler, CMake $umbral_oldest_cmake, Ninja, and"
-    umbral_no_apt+=" Embree, OpenEXR, OpenImageIO, GLM, oneTBB, toml++, CLI11, fmt, Boost.Math, nlohmann/json"
+    umbral_no_apt+=" Embree, OpenEXR, OpenImageIO, GLM, oneTBB, toml++, CLI11, fmt, Boost.Math, nlohmann/json, pugixml, zlib"
     umbral_no_apt+=" and GoogleTest with their headers."
   fi
   have "${CXX:-c++}" || die "no C++ compiler (${CXX:-c++}). ${umbral_no_apt:-Install g++ 12 or newer.}"

@@ -91,7 +91,8 @@ void Directives::read(const std::filesystem::path& path, std::string text) {
   ++depth_;
   for (Token token = tokens.next(); token.kind != Token::Kind::end; token = tokens.next()) {
     run(token);
-    if (builder_.diagnostics.error_count() >= most_errors) fail(token, "too many errors; what follows is not read");
+    if (builder_.diagnostics.error_count() >= most_errors)
+      fail(token, "too many errors; what follows is not read");
   }
   --depth_;
   tokens_ = outer;
@@ -104,8 +105,8 @@ void Directives::run(const Token& directive) {
   if (found == table().end()) {
     std::vector<std::string> names;
     for (const auto& [name, function] : table()) names.emplace_back(name);
-    fail(directive, fmt::format("there is no directive '{}'{}", directive.text,
-                                suggestion(directive.text, names)));
+    fail(directive,
+         fmt::format("there is no directive '{}'{}", directive.text, suggestion(directive.text, names)));
   }
   (this->*found->second)(directive);
 }
@@ -113,8 +114,7 @@ void Directives::run(const Token& directive) {
 void Directives::include(const Token& at) {
   const Token name = tokens_->peek();
   const std::filesystem::path path = (folder_ / text()).lexically_normal();
-  if (depth_ >= deepest_include || ++files_ > most_files)
-    fail(name, "files include each other without end");
+  if (depth_ >= deepest_include || ++files_ > most_files) fail(name, "files include each other without end");
   std::string bytes;
   try {
     bytes = builder_.files.read(path);
@@ -150,7 +150,8 @@ Affine Directives::matrix() {
   const Token end = tokens_->next();
   if (end.kind != Token::Kind::close) fail(end, "']' must stand here, after 16 numbers");
   Affine map;
-  for (int column = 0; column < 3; ++column) map.linear[column] = {m[4 * column], m[4 * column + 1], m[4 * column + 2]};
+  for (int column = 0; column < 3; ++column)
+    map.linear[column] = {m[4 * column], m[4 * column + 1], m[4 * column + 2]};
   map.offset = {m[12], m[13], m[14]};
   if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
     builder_.lacks(tokens_->place(at), "a transform that is not affine");

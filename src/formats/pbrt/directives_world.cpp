@@ -38,8 +38,7 @@ void Directives::medium_interface(const Token& at) {
   const std::string inside = text();
   const std::string outside = tokens_->peek().kind == Token::Kind::string ? text() : inside;
   if (!inside.empty() || !outside.empty())
-    builder_.lacks(tokens_->place(at),
-                   fmt::format("the medium '{}'", inside.empty() ? outside : inside));
+    builder_.lacks(tokens_->place(at), fmt::format("the medium '{}'", inside.empty() ? outside : inside));
 }
 
 void Directives::light_source(const Token& at) {

@@ -66,8 +66,7 @@ void Lights::add_distant(const Parameters& parameters, const Affine& to_world) {
   Spectrum irradiance = intensity(parameters, "L", 1);
   if (const double illuminance = parameters.number("illuminance", -1); illuminance > 0)
     irradiance *= static_cast<float>(illuminance);
-  builder_.lights.push_back(
-      DistantLight{Vec3(glm::normalize(to_world.vector(to - from))), irradiance});
+  builder_.lights.push_back(DistantLight{Vec3(glm::normalize(to_world.vector(to - from))), irradiance});
 }
 
 void Lights::add_infinite(const Parameters& parameters, const Affine&) {
@@ -112,7 +111,8 @@ AreaLight area_light(SceneBuilder& builder, const std::filesystem::path& folder,
     texture.file = file->strings[0];
     texture.factor = static_cast<float>(scale);
     try {
-      texture.image = builder.image((folder / texture.file).lexically_normal(), texture.color_space, file->place);
+      texture.image =
+          builder.image((folder / texture.file).lexically_normal(), texture.color_space, file->place);
       texture.prepare();
       double sum = 0;
       for (int y = 0; y < texture.image->height(); ++y)

@@ -10,7 +10,8 @@ namespace umbral::pbrt_file {
 
 class Lights {
  public:
-  Lights(SceneBuilder& builder, std::filesystem::path folder) : builder_(builder), folder_(std::move(folder)) {}
+  Lights(SceneBuilder& builder, std::filesystem::path folder)
+      : builder_(builder), folder_(std::move(folder)) {}
 
   // All light is multiplied by `exposure`.
   void add(const std::string& kind, const Parameters& parameters, const Affine& to_world, float exposure);
@@ -32,8 +33,8 @@ class Lights {
 struct AreaLight {
   Textured<Spectrum> emission{black};
   bool two_sided = false;
-  double power = 0;            // of each shape; 0 where the emission is told as it is
-  double mean_luminance = 1;   // of the image that shines, for its power
+  double power = 0;           // of each shape; 0 where the emission is told as it is
+  double mean_luminance = 1;  // of the image that shines, for its power
 
   bool is_dark() const { return emission.is_constant() && is_black(emission.value); }
 };

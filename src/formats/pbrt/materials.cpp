@@ -33,8 +33,7 @@ std::optional<Metal> named_metal(const Parameters& parameters) {
 }  // namespace
 
 MaterialHandle Materials::make(std::string kind, Parameters parameters) const {
-  return std::make_shared<MaterialDefinition>(
-      MaterialDefinition{"", std::move(kind), std::move(parameters)});
+  return std::make_shared<MaterialDefinition>(MaterialDefinition{"", std::move(kind), std::move(parameters)});
 }
 
 void Materials::define(const Place& place, const std::string& name, Parameters parameters) {
@@ -57,8 +56,7 @@ MaterialHandle Materials::find(const Place& place, const std::string& name) cons
 }
 
 MaterialId Materials::convert(const MaterialHandle& material, const Textured<float>& alpha) {
-  const auto [at, is_new] =
-      material->converted.emplace(std::pair{alpha.value, alpha.map}, MaterialId::none);
+  const auto [at, is_new] = material->converted.emplace(std::pair{alpha.value, alpha.map}, MaterialId::none);
   if (!is_new) return at->second;
   Material converted = convert(*material);
   converted.name = material->name;
@@ -132,7 +130,8 @@ Material Materials::conductor(const Parameters& parameters) {
       lobe.eta = *eta;
       lobe.k = *k;
     } else {
-      builder_.lacks(parameters.place(), "a metal whose eta and k are not both RGB or both of one named metal");
+      builder_.lacks(parameters.place(),
+                     "a metal whose eta and k are not both RGB or both of one named metal");
     }
   }
   return with_lobe(lobe);

@@ -62,8 +62,7 @@ std::string Parameters::text(const std::string& name, const std::string& otherwi
 }
 
 Vec3d Parameters::point(const std::string& name, const Vec3d& otherwise) const {
-  const Parameter* found =
-      find(name, {"point3", "point", "vector3", "vector", "normal3", "normal"}, 3);
+  const Parameter* found = find(name, {"point3", "point", "vector3", "vector", "normal3", "normal"}, 3);
   return found ? Vec3d(found->numbers[0], found->numbers[1], found->numbers[2]) : otherwise;
 }
 
@@ -72,8 +71,8 @@ std::vector<double> Parameters::numbers(const std::string& name, std::initialize
   const Parameter* found = find(name, types, 0);
   if (!found) return {};
   if (found->numbers.size() % arity == 0) return found->numbers;
-  error(*found, fmt::format("'{}' has {} numbers, which is no multiple of {}", name, found->numbers.size(),
-                            arity));
+  error(*found,
+        fmt::format("'{}' has {} numbers, which is no multiple of {}", name, found->numbers.size(), arity));
   return {};
 }
 

@@ -14,7 +14,8 @@ namespace {
 int within(const Parameters& parameters, const std::string& name, int otherwise, int low, int high) {
   const int value = parameters.integer(name, otherwise);
   if (value >= low && value <= high) return value;
-  parameters.error(*parameters.find(name), fmt::format("'{}' must be {} … {}, not {}", name, low, high, value));
+  parameters.error(*parameters.find(name),
+                   fmt::format("'{}' must be {} … {}, not {}", name, low, high, value));
   return otherwise;
 }
 
@@ -62,14 +63,16 @@ void Settings::filter(const std::string& kind, const Parameters& parameters) {
   }
   const double x = parameters.number("xradius", usual), y = parameters.number("yradius", usual);
   if (x != y) builder_.lacks(parameters.place(), "a filter that is wider in x than in y");
-  if (!(x > 0 && x <= 16)) builder_.diagnostics.error(parameters.place(), "a filter's radius must be above 0 and at most 16");
+  if (!(x > 0 && x <= 16))
+    builder_.diagnostics.error(parameters.place(), "a filter's radius must be above 0 and at most 16");
   film.filter_radius = static_cast<float>(x);
   parameters.report_unknown(fmt::format("filter '{}'", kind));
 }
 
 void Settings::sampler(const std::string& kind, const Parameters& parameters) {
   if (kind == "stratified") {
-    result_.sampling.spp = within(parameters, "xsamples", 4, 1, 32768) * within(parameters, "ysamples", 4, 1, 32768);
+    result_.sampling.spp =
+        within(parameters, "xsamples", 4, 1, 32768) * within(parameters, "ysamples", 4, 1, 32768);
     parameters.ignore({"jitter"});
   } else {
     result_.sampling.spp = within(parameters, "pixelsamples", 16, 1, 1 << 30);
@@ -80,9 +83,8 @@ void Settings::sampler(const std::string& kind, const Parameters& parameters) {
 }
 
 void Settings::integrator(const std::string& kind, const Parameters& parameters) {
-  static const std::vector<std::string> with_paths{"path",  "volpath",      "simplepath", "simplevolpath",
-                                                   "bdpt",  "mlt",          "sppm",       "lightpath",
-                                                   "randomwalk"};
+  static const std::vector<std::string> with_paths{"path", "volpath", "simplepath", "simplevolpath", "bdpt",
+                                                   "mlt",  "sppm",    "lightpath",  "randomwalk"};
   if (std::find(with_paths.begin(), with_paths.end(), kind) == with_paths.end())
     builder_.lacks(parameters.place(), fmt::format("the integrator '{}'", kind));
   max_depth_ = parameters.integer("maxdepth", 5);

@@ -23,8 +23,7 @@ std::vector<Vec3> vectors(const std::vector<double>& numbers) {
 std::vector<Vec2> pairs(const std::vector<double>& numbers) {
   std::vector<Vec2> result;
   result.reserve(numbers.size() / 2);
-  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-    result.push_back(Vec2(numbers[i], numbers[i + 1]));
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) result.push_back(Vec2(numbers[i], numbers[i + 1]));
   return result;
 }
 
@@ -54,6 +53,7 @@ Mesh vertices_of(const Parameters& parameters) {
 std::optional<ShapeKinds> Shapes::read(const std::string& kind, const Parameters& parameters) {
   if (kind == "sphere") return sphere(parameters);
   if (kind == "disk") return disk(parameters);
+  if (kind == "cylinder") return cylinder(parameters);
   if (kind == "trianglemesh") return triangle_mesh(parameters);
   if (kind == "plymesh") return ply_mesh(parameters);
   if (kind == "bilinearmesh") return bilinear_mesh(parameters);
@@ -90,6 +90,14 @@ std::optional<ShapeKinds> Shapes::disk(const Parameters& parameters) {
               static_cast<float>(radius(parameters))};
 }
 
+std::optional<ShapeKinds> Shapes::cylinder(const Parameters& parameters) {
+  full_turn(parameters);
+  const double low = parameters.number("zmin", -1), high = parameters.number("zmax", 1);
+  return Cylinder{{0, 0, static_cast<float>(std::min(low, high))},
+                  {0, 0, static_cast<float>(std::max(low, high))},
+                  static_cast<float>(radius(parameters))};
+}
+
 // Empty where they are wrong, which is told.
 std::vector<std::uint32_t> Shapes::indices(const Parameters& parameters, std::size_t vertices,
                                            std::size_t arity) {
@@ -105,8 +113,8 @@ std::vector<std::uint32_t> Shapes::indices(const Parameters& parameters, std::si
   result.reserve(found->numbers.size());
   for (const double index : found->numbers) {
     if (!(index >= 0 && index < static_cast<double>(vertices) && index == std::floor(index))) {
-      parameters.error(*found, fmt::format("index {} names no vertex: there are {}, numbered from 0", index,
-                                           vertices));
+      parameters.error(
+          *found, fmt::format("index {} names no vertex: there are {}, numbered from 0", index, vertices));
       return {};
     }
     result.push_back(static_cast<std::uint32_t>(index));

@@ -49,8 +49,7 @@ void Shapes::add(const std::string& kind, const Parameters& parameters, const Su
   if (!read) return;
   if (Materials::is_interface(*around.material)) {
     // Light passes; a surface that shines is beyond that.
-    if (!around.light.is_dark())
-      builder_.lacks(parameters.place(), "an emitter that light passes through");
+    if (!around.light.is_dark()) builder_.lacks(parameters.place(), "an emitter that light passes through");
     return;
   }
   Shape shape{"", std::move(*read), around.to_world, materials_.convert(around.material, alpha)};

@@ -28,6 +28,7 @@ class Shapes {
   std::optional<ShapeKinds> read(const std::string& kind, const Parameters& parameters);
   std::optional<ShapeKinds> sphere(const Parameters& parameters);
   std::optional<ShapeKinds> disk(const Parameters& parameters);
+  std::optional<ShapeKinds> cylinder(const Parameters& parameters);
   std::optional<ShapeKinds> triangle_mesh(const Parameters& parameters);
   std::optional<ShapeKinds> ply_mesh(const Parameters& parameters);
   std::optional<ShapeKinds> bilinear_mesh(const Parameters& parameters);

@@ -48,9 +48,9 @@ Textured<Spectrum> Textures::find(const Parameter& parameter, bool is_float) {
   }
   std::vector<std::string> names;
   for (const auto& [known, definition] : definitions_[is_float]) names.push_back(known);
-  builder_.diagnostics.error(parameter.place, fmt::format("there is no {} texture '{}'{}",
-                                                          is_float ? "float" : "spectrum", name,
-                                                          suggestion(name, names)));
+  builder_.diagnostics.error(
+      parameter.place, fmt::format("there is no {} texture '{}'{}", is_float ? "float" : "spectrum", name,
+                                   suggestion(name, names)));
   return {grey(0.5f)};
 }
 

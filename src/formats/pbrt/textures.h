@@ -19,7 +19,8 @@ class Textures {
               Parameters parameters);
 
   // A parameter that may name a texture; of the given value where it is absent.
-  Textured<Spectrum> spectrum(const Parameters& parameters, const std::string& name, const Spectrum& otherwise);
+  Textured<Spectrum> spectrum(const Parameters& parameters, const std::string& name,
+                              const Spectrum& otherwise);
   Textured<float> number(const Parameters& parameters, const std::string& name, float otherwise);
 
  private:

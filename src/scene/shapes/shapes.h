@@ -6,6 +6,7 @@
 
 #include "scene/ids.h"
 #include "scene/shapes/box.h"
+#include "scene/shapes/cylinder.h"
 #include "scene/shapes/disk.h"
 #include "scene/shapes/mesh.h"
 #include "scene/shapes/rectangle.h"
@@ -14,12 +15,13 @@
 
 namespace umbral {
 
-using ShapeKinds = std::variant<Mesh, Sphere, Rectangle, Disk, Box, Torus>;
+using ShapeKinds = std::variant<Mesh, Sphere, Rectangle, Disk, Box, Torus, Cylinder>;
 
 // Those with curved or round outlines, which Embree sees as user geometry; the others become triangles.
-using AnalyticShape = std::variant<Sphere, Disk, Torus>;
+using AnalyticShape = std::variant<Sphere, Disk, Torus, Cylinder>;
 
-static_assert(ParametricShape<Sphere> && ParametricShape<Disk> && ParametricShape<Torus>);
+static_assert(ParametricShape<Sphere> && ParametricShape<Disk> && ParametricShape<Torus> &&
+              ParametricShape<Cylinder>);
 
 // A shape with its place and its looks.
 struct Shape {

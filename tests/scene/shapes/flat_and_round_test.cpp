@@ -1,6 +1,7 @@
-// Spheres and disks: placement, and rays that come from afar, graze or run along the surface.
+// Spheres, disks and cylinders: placement, and rays that come from afar, graze or run along the surface.
 #include <gtest/gtest.h>
 
+#include "scene/shapes/cylinder.h"
 #include "scene/shapes/disk.h"
 #include "scene/shapes/rays.h"
 #include "scene/shapes/sphere.h"
@@ -106,6 +107,44 @@ TEST(Disk, IsInvisibleFromTheEdgeAndBehind) {
   EXPECT_EQ(Disk{}.intersect({0, 0, 1}, {0, 0, 1}, 0, unbounded), std::nullopt);
   EXPECT_EQ(Disk{}.intersect({0, 0, 1}, {0, 0, -1}, 0, 1), std::nullopt);
   EXPECT_EQ(Disk{}.intersect({0, 0, 1}, {0, 0, -4}, 0, unbounded), 0.25);
+}
+
+TEST(Cylinder, IsPlacedByItsEndsAndRadius) {
+  for (const Vec3 top : {Vec3(1, 2, 8), Vec3(1, 2, -2), Vec3(4, 6, 3)}) {
+    const Cylinder cylinder{{1, 2, 3}, top, 2};
+    const Affine placement = cylinder.placement();
+    EXPECT_LT(glm::length(placement.point({0, 0, 0}) - Vec3d(1, 2, 3)), 1e-15);
+    EXPECT_LT(glm::length(placement.point({0, 0, 1}) - Vec3d(top)), 1e-15);
+    for (const Vec3d across : {Vec3d(1, 0, 0), Vec3d(0, 1, 0)}) {
+      EXPECT_NEAR(glm::length(placement.vector(across)), 2, 1e-15);
+      EXPECT_NEAR(dot(placement.vector(across), placement.vector({0, 0, 1})), 0, 1e-14);
+    }
+    EXPECT_GT(placement.determinant(), 0);
+  }
+}
+
+TEST(Cylinder, IsOpenAtBothEnds) {
+  EXPECT_EQ(Cylinder{}.intersect({0.5, 0, -3}, {0, 0, 1}, 0, unbounded), std::nullopt);
+  EXPECT_EQ(Cylinder{}.intersect({-3, 0, 0.5}, {1, 0, 0}, 0, unbounded), 2);
+  EXPECT_EQ(Cylinder{}.intersect({-3, 0, 0.5}, {1, 0, 0}, 2, unbounded), 4);
+  EXPECT_EQ(Cylinder{}.intersect({-3, 0, 1.5}, {1, 0, 0}, 0, unbounded), std::nullopt);
+  // In by the open end, out by the far wall.
+  EXPECT_EQ(Cylinder{}.intersect({-1, 0, 2}, {2, 0, -1.5}, 0, unbounded), 1);
+}
+
+TEST(Cylinder, IsHitExactlyFromAfar) {
+  Random random(3);
+  for (const double distance : {10.0, 1e4, 1e8})
+    for (int i = 0; i < 5000; ++i) {
+      const double phi = random.uniform(0, 2 * pi_d);
+      DoubleRay ray{Vec3d(0.9 * std::cos(phi), 0.9 * std::sin(phi), 0.5), random.direction()};
+      if (std::abs(ray.d.z) > 0.1) continue;
+      ray.o -= distance * ray.d;
+      const auto t = Cylinder{}.intersect(ray.o, ray.d, 0, unbounded);
+      ASSERT_TRUE(t) << distance;
+      const Vec3d p = ray.o + *t * ray.d;
+      EXPECT_NEAR(std::hypot(p.x, p.y), 1, 5e-16 * distance + 1e-15);
+    }
 }
 
 }  // namespace

@@ -53,11 +53,12 @@ const auto uneven =
     testing::Values(Case{"sphere", Sphere{}}, Case{"disk", Disk{}}, Case{"torus_ring", torus_of(0.25)},
                     Case{"torus_thick", torus_of(0.875)}, Case{"torus_horn", torus_of(1)},
                     Case{"torus_spindle", torus_of(1.3)}, Case{"torus_wide_spindle", torus_of(8)});
-const auto even_to_one_in_a_thousand = testing::Values(Case{"torus_thin", torus_of(1e-3)});
+const auto even_to_one_in_a_thousand =
+    testing::Values(Case{"torus_thin", torus_of(1e-3)}, Case{"cylinder", Cylinder{}});
 
 INSTANTIATE_TEST_SUITE_P(Uneven, UnevenParametrisation, uneven, name_of);
 INSTANTIATE_TEST_SUITE_P(Shapes, Parametrisation, uneven, name_of);
-INSTANTIATE_TEST_SUITE_P(ThinTorus, Parametrisation, even_to_one_in_a_thousand, name_of);
+INSTANTIATE_TEST_SUITE_P(Even, Parametrisation, even_to_one_in_a_thousand, name_of);
 
 TEST_P(Parametrisation, TangentsAreDerivatives) {
   Random random(1);

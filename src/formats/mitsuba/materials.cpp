@@ -1,0 +1,173 @@
+// Conversion of BSDFs to lobes.
+#include "formats/mitsuba/materials.h"
+
+#include <fmt/format.h>
+
+#include "bsdf/fresnel.h"
+#include "formats/material_parameters.h"
+#include "formats/mitsuba/colors.h"
+
+namespace umbral::mitsuba_file {
+namespace {
+
+Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
+
+}  // namespace
+
+ConvertedMaterial Materials::standard() {
+  if (!standard_) standard_ = builder_.add(with_lobe(Lambert{grey(0.5f)}), document_.root.place);
+  return {*standard_, true};
+}
+
+ConvertedMaterial Materials::convert(const Element& bsdf) {
+  const auto [at, is_new] = converted_.emplace(&bsdf, ConvertedMaterial{});
+  if (!is_new) return at->second;
+  Draft draft = this->draft(bsdf);
+  draft.material.name = bsdf.id;
+  at->second.one_sided = draft.one_sided;
+  if (!draft.is_null) at->second.id = builder_.add(std::move(draft.material), bsdf.place);
+  return at->second;
+}
+
+Materials::Draft Materials::draft(const Element& bsdf) {
+  const Properties properties(builder_, document_, bsdf);
+  const std::string& type = bsdf.type;
+  Draft result;
+  if (type == "diffuse") {
+    result = diffuse(properties);
+  } else if (type == "twosided") {
+    result = nested(properties);
+    result.one_sided = false;
+  } else if (type == "mask") {
+    result = mask(properties);
+  } else if (type == "plastic" || type == "roughplastic") {
+    result = plastic(properties, type == "roughplastic");
+  } else if (type == "conductor" || type == "roughconductor") {
+    result = conductor(properties, type == "roughconductor");
+  } else if (type == "dielectric" || type == "roughdielectric") {
+    result = dielectric(properties, type == "roughdielectric");
+  } else if (type == "thindielectric") {
+    result = thin_dielectric(properties);
+  } else if (type == "null") {
+    result.is_null = true;
+  } else {
+    builder_.lacks(bsdf.place, fmt::format("a BSDF of type '{}'", type));
+    result.material = with_lobe(Lambert{grey(0.5f)});
+    return result;
+  }
+  properties.report_unknown();
+  return result;
+}
+
+Materials::Draft Materials::nested(const Properties& properties) {
+  const std::vector<const Element*> bsdfs = properties.objects("bsdf");
+  if (bsdfs.size() == 1) return draft(*bsdfs[0]);
+  if (bsdfs.empty())
+    builder_.diagnostics.error(properties.place(),
+                               fmt::format("'{}' wants a BSDF in it", properties.element().type));
+  else
+    builder_.lacks(properties.place(), "a surface whose two sides differ");
+  return bsdfs.empty() ? Draft{with_lobe(Lambert{grey(0.5f)})} : draft(*bsdfs[0]);
+}
+
+Materials::Draft Materials::diffuse(const Properties& properties) {
+  // Mitsuba 0.x has another name for it.
+  const char* name = properties.has("reflectance") ? "reflectance" : "diffuse_reflectance";
+  Draft result{with_lobe(Lambert{}), true};
+  set_parameters<Spectrum>(result.material,
+                           {{"reflectance", textures_.surface(properties, name, grey(0.5f))}});
+  return result;
+}
+
+void Materials::untinted(const Properties& properties, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const Element* found = properties.find(name);
+    if (found && (!is_color(*found) || surface_color(builder_, *found) != white))
+      builder_.lacks(found->place, fmt::format("'{}', a tint", name));
+  }
+}
+
+// The square root of GGX's alpha.
+float Materials::roughness(const Properties& properties) {
+  const std::string distribution = properties.text("distribution", "beckmann");
+  if (distribution != "ggx")
+    builder_.lacks(properties.place(),
+                   fmt::format("facets of the '{}' distribution; GGX's of the same alpha stand in for them",
+                               distribution));
+  const auto alpha = [&](const char* name, float otherwise) {
+    const Textured<float> value = textures_.number(properties, name, otherwise);
+    if (!value.is_constant()) properties.lacks(name, "a texture for roughness");
+    return glm::clamp(value.value, 0.0f, 1.0f);
+  };
+  const float both = alpha("alpha", 0.1f), u = alpha("alpha_u", both), v = alpha("alpha_v", both);
+  if (u != v) builder_.lacks(properties.place(), "roughness that differs in u and v");
+  properties.ignore({"sample_visible"});
+  return std::sqrt(std::sqrt(u * v));
+}
+
+// Without `nonlinear` Mitsuba divides the body's reflectance ρ by 1 − K instead of 1 − ρK, K being what the skin reflects
+// back into the body (bsdf/plastic.h): as a body of ρ/(1 − K(1 − ρ)) does here.
+Materials::Draft Materials::plastic(const Properties& properties, bool rough) {
+  Plastic lobe;
+  lobe.eta = relative_index(builder_, properties, "polypropylene");
+  lobe.roughness = rough ? roughness(properties) : 0;
+  untinted(properties, {"specular_reflectance"});
+  Textured<Spectrum> body = textures_.surface(properties, "diffuse_reflectance", grey(0.5f));
+  if (!properties.flag("nonlinear", false)) {
+    if (!body.is_constant())
+      builder_.lacks(properties.place(), "a plastic of a textured colour without 'nonlinear'");
+    const float k = lobe.internal_reflectance();
+    body.value = body.value / (Spectrum(1.0f) - k * (Spectrum(1.0f) - body.value)) * white;
+  }
+  Draft result{with_lobe(lobe), true};
+  set_parameters<Spectrum>(result.material, {{"reflectance", body}});
+  return result;
+}
+
+Materials::Draft Materials::conductor(const Properties& properties, bool rough) {
+  Conductor lobe;
+  lobe.roughness = rough ? roughness(properties) : 0;
+  untinted(properties, {"specular_reflectance"});
+  Draft result{with_lobe(lobe), true};
+  const std::string name = properties.text("material", properties.has("eta") ? "" : "none");
+  const auto& metals = EnumNames<Metal>::names;
+  const auto metal = std::find(metals.begin() + 1, metals.end(), name);
+  if (name == "none") {
+    if (rough)
+      lobe.reflectance = white;
+    else
+      return {with_lobe(Mirror{}), true};
+  } else if (metal != metals.end()) {
+    lobe.metal = static_cast<Metal>(metal - metals.begin());
+  } else if (const Element* eta = properties.find("eta"), *k = properties.find("k"); eta && k) {
+    lobe.eta = unbounded_color(builder_, *eta);
+    lobe.k = unbounded_color(builder_, *k);
+  } else {
+    builder_.lacks(properties.place(), fmt::format("the metal '{}'", name));
+  }
+  result.material.lobe = lobe;
+  return result;
+}
+
+Materials::Draft Materials::dielectric(const Properties& properties, bool rough) {
+  Dielectric lobe;
+  lobe.eta = relative_index(builder_, properties, "bk7");
+  lobe.roughness = rough ? roughness(properties) : 0;
+  untinted(properties, {"specular_reflectance", "specular_transmittance"});
+  return {with_lobe(lobe)};
+}
+
+Materials::Draft Materials::thin_dielectric(const Properties& properties) {
+  ThinDielectric lobe;
+  lobe.eta = relative_index(builder_, properties, "bk7");
+  untinted(properties, {"specular_reflectance", "specular_transmittance"});
+  return {with_lobe(lobe)};
+}
+
+Materials::Draft Materials::mask(const Properties& properties) {
+  Draft result = nested(properties);
+  result.material.alpha = textures_.number(properties, "opacity", 0.5f);
+  return result;
+}
+
+}  // namespace umbral::mitsuba_file

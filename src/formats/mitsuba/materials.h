@@ -1,0 +1,49 @@
+// The BSDFs of a Mitsuba file.
+#pragma once
+
+#include <map>
+
+#include "formats/mitsuba/textures.h"
+
+namespace umbral::mitsuba_file {
+
+struct ConvertedMaterial {
+  MaterialId id = MaterialId::none;  // none where light passes unseen
+  bool one_sided = false;            // black from behind in Mitsuba
+};
+
+class Materials {
+ public:
+  Materials(SceneBuilder& builder, const Document& document, Textures& textures)
+      : builder_(builder), document_(document), textures_(textures) {}
+
+  // Each BSDF is converted once.
+  ConvertedMaterial convert(const Element& bsdf);
+  // What shapes without a BSDF are of: grey, diffuse.
+  ConvertedMaterial standard();
+
+ private:
+  struct Draft {
+    Material material;
+    bool one_sided = false, is_null = false;
+  };
+
+  Draft draft(const Element& bsdf);
+  Draft nested(const Properties& properties);
+  Draft diffuse(const Properties& properties);
+  Draft plastic(const Properties& properties, bool rough);
+  Draft conductor(const Properties& properties, bool rough);
+  Draft dielectric(const Properties& properties, bool rough);
+  Draft thin_dielectric(const Properties& properties);
+  Draft mask(const Properties& properties);
+  float roughness(const Properties& properties);
+  void untinted(const Properties& properties, std::initializer_list<const char*> names);
+
+  SceneBuilder& builder_;
+  const Document& document_;
+  Textures& textures_;
+  std::map<const Element*, ConvertedMaterial> converted_;
+  std::optional<MaterialId> standard_;
+};
+
+}  // namespace umbral::mitsuba_file

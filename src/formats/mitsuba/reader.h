@@ -1,0 +1,16 @@
+// Scene files of Mitsuba 3, and what they share with those of Mitsuba 0.x.
+#pragma once
+
+#include <filesystem>
+
+#include "formats/scene_builder.h"
+#include "formats/scene_file.h"
+
+namespace umbral::mitsuba_file {
+
+// Reads the file, and what it includes, into `builder` and the settings of `result` (not its scene). What is wrong or
+// not supported is told to the builder's diagnostics; only what cannot be parsed throws SceneError.
+void read_scene(const std::filesystem::path& path, const IntegratorKinds& integrators, SceneBuilder& builder,
+                SceneFile& result);
+
+}  // namespace umbral::mitsuba_file

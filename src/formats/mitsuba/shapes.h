@@ -1,0 +1,35 @@
+// The shapes of a Mitsuba file.
+#pragma once
+
+#include "formats/mitsuba/materials.h"
+
+namespace umbral::mitsuba_file {
+
+class Shapes {
+ public:
+  Shapes(SceneBuilder& builder, const Document& document, Materials& materials, Textures& textures)
+      : builder_(builder), document_(document), materials_(materials), textures_(textures) {}
+
+  // A shape of the world, a group of shapes, or an instance of one.
+  void add(const Element& element) { add(element, builder_.world); }
+
+ private:
+  void add(const Element& element, ShapeList& shapes);
+  void add_group(const Properties& properties);
+  void add_instance(const Properties& properties);
+  std::optional<ShapeKinds> read(const Properties& properties, Affine& to_world);
+  std::optional<ShapeKinds> sphere(const Properties& properties, Affine& to_world);
+  std::optional<ShapeKinds> cylinder(const Properties& properties);
+  std::optional<Mesh> mesh_from_file(const Properties& properties);
+  std::optional<Mesh> serialized(const Properties& properties);
+  void turn_over(Shape& shape, const Place& place);
+  void place(Shape shape, const Place& place, bool one_sided, ShapeList& shapes);
+
+  SceneBuilder& builder_;
+  const Document& document_;
+  Materials& materials_;
+  Textures& textures_;
+  std::map<const Element*, ObjectId> groups_;
+};
+
+}  // namespace umbral::mitsuba_file

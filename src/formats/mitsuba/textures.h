@@ -1,0 +1,32 @@
+// The textures of a Mitsuba file.
+#pragma once
+
+#include <map>
+
+#include "formats/mitsuba/properties.h"
+
+namespace umbral::mitsuba_file {
+
+// umbral's uv is Mitsuba's own: v of an image runs from its upper edge down, so images are turned over here.
+class Textures {
+ public:
+  Textures(SceneBuilder& builder, const Document& document) : builder_(builder), document_(document) {}
+
+  // A property that is a colour or a texture.
+  Textured<Spectrum> surface(const Properties& properties, const std::string& name,
+                             const Spectrum& otherwise);
+  Textured<float> number(const Properties& properties, const std::string& name, float otherwise);
+  // What an emitter gives.
+  Textured<Spectrum> light(const Properties& properties, const std::string& name, const Spectrum& otherwise);
+
+ private:
+  std::optional<TextureId> texture(const Element& element);
+  std::optional<TextureId> bitmap(const Properties& properties);
+  std::optional<TextureId> checkerboard(const Properties& properties);
+
+  SceneBuilder& builder_;
+  const Document& document_;
+  std::map<const Element*, std::optional<TextureId>> converted_;
+};
+
+}  // namespace umbral::mitsuba_file
