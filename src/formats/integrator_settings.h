@@ -23,6 +23,7 @@ class WholeNumberSettings final : public ParameterVisitor {
   void operator()(const ParameterInfo&, Vec3&) override {}
   void operator()(const ParameterInfo&, Spectrum&) override {}
   void operator()(const ParameterInfo&, std::string&) override {}
+  void operator()(const ParameterInfo&, std::vector<ColorStop>&) override {}
   void operator()(const ParameterInfo&, Textured<float>&) override {}
   void operator()(const ParameterInfo&, Textured<Spectrum>&) override {}
   void choice(const ParameterInfo&, int&, std::span<const char* const>) override {}

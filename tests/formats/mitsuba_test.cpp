@@ -267,12 +267,34 @@ TEST(Mitsuba, WhatIsNotSupportedIsRefusedOrLeftOut) {
   EXPECT_EQ(file.left_out.size(), 3u);
 }
 
-TEST(Mitsuba, OneSidedSurfacesAreTold) {
+// Where no 'twosided' stands, Mitsuba's surfaces are black from behind.
+TEST(Mitsuba, SurfacesAreBlackFromBehind) {
   const MitsubaFolder folder;
-  const std::string text = "<bsdf type='diffuse'/></shape>";
-  EXPECT_TRUE(
-      contains(folder.warnings(folder.read_xml("<shape type='rectangle'>" + text)), "black in Mitsuba"));
-  EXPECT_FALSE(contains(folder.warnings(folder.read_xml("<shape type='cube'>" + text)), "black in Mitsuba"));
+  const SceneFile file =
+      folder.read_xml(sphere_of("diffuse'>") + sphere_of("twosided'><bsdf type='diffuse'/>") +
+                      sphere_of("dielectric'>") + sphere);
+  const BackSide expected[] = {BackSide::absorbing, BackSide::same, BackSide::same, BackSide::absorbing};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(material_of(file, i).back, expected[i]) << i;
+}
+
+TEST(Mitsuba, NormalsBumpsAndColoursOfVertices) {
+  const MitsubaFolder folder;
+  folder.write("t.tga", test::tga(2, 2, 128, 128, 255, 255));
+  const std::string image =
+      "type='bitmap'><string name='filename' value='t.tga'/><boolean name='raw' value='true'/></texture>";
+  const SceneFile file =
+      folder.read_xml(sphere_of("normalmap'><texture name='normalmap' " + image + "<bsdf type='plastic'/>") +
+                      sphere_of("bumpmap'><texture name='x' " + image +
+                                "<float name='scale' value='3'/><bsdf type='diffuse'/>") +
+                      sphere_of("diffuse'><texture name='reflectance' type='mesh_attribute'><string "
+                                "name='name' value='vertex_color'/></texture>"));
+  EXPECT_TRUE(material_of(file, 0).has_normal_map());
+  EXPECT_TRUE(std::holds_alternative<Plastic>(material_of(file, 0).lobe));
+  EXPECT_TRUE(material_of(file, 1).has_bump_map());
+  EXPECT_EQ(material_of(file, 1).bump_scale, 3);
+  ASSERT_EQ(material_of(file, 2).maps.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<VertexColorTexture>(
+      file.scene.textures.at(index_of(material_of(file, 2).maps[0].texture)).kind));
 }
 
 }  // namespace

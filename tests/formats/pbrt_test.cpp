@@ -249,6 +249,26 @@ TEST(Pbrt, TexturesAndOpacity) {
   EXPECT_TRUE(material(3).is_opaque());
 }
 
+TEST(Pbrt, TexturesOfTexturesBumpsAndNormals) {
+  const SceneFolder folder;
+  folder.write("n.tga", test::tga(2, 2, 128, 128, 255, 255));
+  const SceneFile file =
+      read(folder,
+           "Texture \"a\" \"spectrum\" \"checkerboard\"\nTexture \"b\" \"float\" \"checkerboard\"\n"
+           "Texture \"ab\" \"spectrum\" \"scale\" \"texture tex\" \"a\" \"texture scale\" \"b\"\n"
+           "Texture \"mix\" \"spectrum\" \"mix\" \"texture tex1\" \"ab\" \"rgb tex2\" [ 0 0 1 ] \"float "
+           "amount\" .25\n"
+           "Material \"diffuse\" \"texture reflectance\" \"mix\" \"texture displacement\" \"b\""
+           " \"string normalmap\" \"n.tga\"\nShape \"sphere\"\n");
+  const Material& material = file.scene.materials.at(index_of(file.scene.shapes.at(0).material));
+  const auto& mix = std::get<MixTexture>(file.scene.textures.at(index_of(material.maps.at(0).texture)).kind);
+  EXPECT_EQ(mix.b.value, rgb(0, 0, 1));
+  EXPECT_EQ(mix.amount.value, 0.25f);
+  EXPECT_TRUE(std::holds_alternative<ScaleTexture>(file.scene.textures.at(index_of(mix.a.map)).kind));
+  EXPECT_TRUE(material.has_bump_map());
+  EXPECT_TRUE(material.has_normal_map());
+}
+
 TEST(Pbrt, LightsInTheirUnits) {
   const SceneFolder folder;
   const SceneFile file = read(

@@ -12,20 +12,26 @@ namespace {
 
 Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
 
-}  // namespace
-
-ConvertedMaterial Materials::standard() {
-  if (!standard_) standard_ = builder_.add(with_lobe(Lambert{grey(0.5f)}), document_.root.place);
-  return {*standard_, true};
+// Black from behind, as all that do not transmit are where no 'twosided' stands around them.
+Material one_sided(const Lobes& lobe) {
+  Material material = with_lobe(lobe);
+  material.back = BackSide::absorbing;
+  return material;
 }
 
-ConvertedMaterial Materials::convert(const Element& bsdf) {
-  const auto [at, is_new] = converted_.emplace(&bsdf, ConvertedMaterial{});
+}  // namespace
+
+MaterialId Materials::standard() {
+  if (!standard_) standard_ = builder_.add(one_sided(Lambert{grey(0.5f)}), document_.root.place);
+  return *standard_;
+}
+
+MaterialId Materials::convert(const Element& bsdf) {
+  const auto [at, is_new] = converted_.emplace(&bsdf, MaterialId::none);
   if (!is_new) return at->second;
   Draft draft = this->draft(bsdf);
   draft.material.name = bsdf.id;
-  at->second.one_sided = draft.one_sided;
-  if (!draft.is_null) at->second.id = builder_.add(std::move(draft.material), bsdf.place);
+  if (!draft.is_null) at->second = builder_.add(std::move(draft.material), bsdf.place);
   return at->second;
 }
 
@@ -37,9 +43,13 @@ Materials::Draft Materials::draft(const Element& bsdf) {
     result = diffuse(properties);
   } else if (type == "twosided") {
     result = nested(properties);
-    result.one_sided = false;
+    result.material.back = BackSide::same;
   } else if (type == "mask") {
     result = mask(properties);
+  } else if (type == "normalmap") {
+    result = normal_map(properties);
+  } else if (type == "bumpmap") {
+    result = bump_map(properties);
   } else if (type == "plastic" || type == "roughplastic") {
     result = plastic(properties, type == "roughplastic");
   } else if (type == "conductor" || type == "roughconductor") {
@@ -73,7 +83,7 @@ Materials::Draft Materials::nested(const Properties& properties) {
 Materials::Draft Materials::diffuse(const Properties& properties) {
   // Mitsuba 0.x has another name for it.
   const char* name = properties.has("reflectance") ? "reflectance" : "diffuse_reflectance";
-  Draft result{with_lobe(Lambert{}), true};
+  Draft result{one_sided(Lambert{})};
   set_parameters<Spectrum>(result.material,
                            {{"reflectance", textures_.surface(properties, name, grey(0.5f))}});
   return result;
@@ -119,7 +129,7 @@ Materials::Draft Materials::plastic(const Properties& properties, bool rough) {
     const float k = lobe.internal_reflectance();
     body.value = body.value / (Spectrum(1.0f) - k * (Spectrum(1.0f) - body.value)) * white;
   }
-  Draft result{with_lobe(lobe), true};
+  Draft result{one_sided(lobe)};
   set_parameters<Spectrum>(result.material, {{"reflectance", body}});
   return result;
 }
@@ -128,7 +138,7 @@ Materials::Draft Materials::conductor(const Properties& properties, bool rough) 
   Conductor lobe;
   lobe.roughness = rough ? roughness(properties) : 0;
   untinted(properties, {"specular_reflectance"});
-  Draft result{with_lobe(lobe), true};
+  Draft result{one_sided(lobe)};
   const std::string name = properties.text("material", properties.has("eta") ? "" : "none");
   const auto& metals = EnumNames<Metal>::names;
   const auto metal = std::find(metals.begin() + 1, metals.end(), name);
@@ -136,7 +146,7 @@ Materials::Draft Materials::conductor(const Properties& properties, bool rough) 
     if (rough)
       lobe.reflectance = white;
     else
-      return {with_lobe(Mirror{}), true};
+      return {one_sided(Mirror{})};
   } else if (metal != metals.end()) {
     lobe.metal = static_cast<Metal>(metal - metals.begin());
   } else if (const Element* eta = properties.find("eta"), *k = properties.find("k"); eta && k) {
@@ -167,6 +177,24 @@ Materials::Draft Materials::thin_dielectric(const Properties& properties) {
 Materials::Draft Materials::mask(const Properties& properties) {
   Draft result = nested(properties);
   result.material.alpha = textures_.number(properties, "opacity", 0.5f);
+  return result;
+}
+
+Materials::Draft Materials::normal_map(const Properties& properties) {
+  Draft result = nested(properties);
+  const Textured<Spectrum> map = textures_.surface(properties, "normalmap", level_normal);
+  if (map.is_constant())
+    builder_.diagnostics.error(properties.place(), "'normalmap' wants a texture of that name");
+  else
+    result.material.normal_map = map;
+  return result;
+}
+
+Materials::Draft Materials::bump_map(const Properties& properties) {
+  Draft result = nested(properties);
+  const Element* texture = properties.object("texture");
+  if (texture) result.material.bump_map = {0, textures_.texture(*texture).value_or(TextureId::none)};
+  result.material.bump_scale = static_cast<float>(properties.number("scale", 1));
   return result;
 }
 

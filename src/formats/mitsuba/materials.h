@@ -7,25 +7,20 @@
 
 namespace umbral::mitsuba_file {
 
-struct ConvertedMaterial {
-  MaterialId id = MaterialId::none;  // none where light passes unseen
-  bool one_sided = false;            // black from behind in Mitsuba
-};
-
 class Materials {
  public:
   Materials(SceneBuilder& builder, const Document& document, Textures& textures)
       : builder_(builder), document_(document), textures_(textures) {}
 
-  // Each BSDF is converted once.
-  ConvertedMaterial convert(const Element& bsdf);
+  // Each BSDF is converted once; none where light passes unseen.
+  MaterialId convert(const Element& bsdf);
   // What shapes without a BSDF are of: grey, diffuse.
-  ConvertedMaterial standard();
+  MaterialId standard();
 
  private:
   struct Draft {
     Material material;
-    bool one_sided = false, is_null = false;
+    bool is_null = false;
   };
 
   Draft draft(const Element& bsdf);
@@ -36,13 +31,15 @@ class Materials {
   Draft dielectric(const Properties& properties, bool rough);
   Draft thin_dielectric(const Properties& properties);
   Draft mask(const Properties& properties);
+  Draft normal_map(const Properties& properties);
+  Draft bump_map(const Properties& properties);
   float roughness(const Properties& properties);
   void untinted(const Properties& properties, std::initializer_list<const char*> names);
 
   SceneBuilder& builder_;
   const Document& document_;
   Textures& textures_;
-  std::map<const Element*, ConvertedMaterial> converted_;
+  std::map<const Element*, MaterialId> converted_;
   std::optional<MaterialId> standard_;
 };
 

@@ -5,7 +5,6 @@
 
 #include "formats/mesh_facing.h"
 #include "formats/mesh_file.h"
-#include "formats/mesh_topology.h"
 #include "formats/mitsuba/serialized_mesh.h"
 #include "formats/place_shape.h"
 
@@ -30,11 +29,6 @@ Mesh cube() {
   return mesh;
 }
 
-bool is_open(const Shape& shape) {
-  if (const auto* mesh = std::get_if<Mesh>(&shape.kind)) return !is_closed(*mesh);
-  return !std::holds_alternative<Sphere>(shape.kind);
-}
-
 }  // namespace
 
 void Shapes::add(const Element& element, ShapeList& shapes) {
@@ -54,8 +48,8 @@ void Shapes::add(const Element& element, ShapeList& shapes) {
   properties.ignore({"bsdf", "emitter", "silhouette_sampling_weight"});
   properties.report_unknown();
   if (!read) return;
-  const ConvertedMaterial material = bsdf ? materials_.convert(*bsdf) : materials_.standard();
-  Shape shape{element.id, std::move(*read), to_world, material.id};
+  const MaterialId material = bsdf ? materials_.convert(*bsdf) : materials_.standard();
+  Shape shape{element.id, std::move(*read), to_world, material};
   if (emitter) {
     const Properties light(builder_, document_, *emitter);
     if (emitter->type != "area")
@@ -65,21 +59,13 @@ void Shapes::add(const Element& element, ShapeList& shapes) {
     light.ignore({"sampling_weight"});
     light.report_unknown();
   }
-  if (material.id == MaterialId::none) {
+  if (material == MaterialId::none) {
     if (shape.emits()) builder_.lacks(element.place, "an emitter that light passes through");
     return;
   }
   if (turned) turn_over(shape, element.place);
-  place(std::move(shape), element.place, material.one_sided && !emitter, shapes);
-}
-
-void Shapes::place(Shape shape, const Place& place, bool one_sided, ShapeList& shapes) {
-  if (one_sided && is_open(shape))
-    builder_.diagnostics.warning(place,
-                                 "the inner side, which is black in Mitsuba where no 'twosided' stands, "
-                                 "reflects as the outer one does");
-  if (const auto fault = place_shape(std::move(shape), place, builder_.diagnostics, shapes))
-    builder_.diagnostics.error(place, fault->message);
+  if (const auto fault = place_shape(std::move(shape), element.place, builder_.diagnostics, shapes))
+    builder_.diagnostics.error(element.place, fault->message);
 }
 
 void Shapes::turn_over(Shape& shape, const Place& place) {

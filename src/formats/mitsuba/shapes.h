@@ -23,7 +23,6 @@ class Shapes {
   std::optional<Mesh> mesh_from_file(const Properties& properties);
   std::optional<Mesh> serialized(const Properties& properties);
   void turn_over(Shape& shape, const Place& place);
-  void place(Shape shape, const Place& place, bool one_sided, ShapeList& shapes);
 
   SceneBuilder& builder_;
   const Document& document_;

@@ -79,6 +79,8 @@ std::optional<TextureId> Textures::texture(const Element& element) {
     at->second = bitmap(properties);
   } else if (element.type == "checkerboard") {
     at->second = checkerboard(properties);
+  } else if (element.type == "mesh_attribute") {
+    at->second = mesh_attribute(properties);
   } else {
     builder_.lacks(element.place, fmt::format("a texture of type '{}'", element.type));
     return std::nullopt;
@@ -105,6 +107,15 @@ std::optional<TextureId> Textures::bitmap(const Properties& properties) {
   }
   texture.prepare();
   return builder_.add(Texture{properties.element().id, std::move(texture)});
+}
+
+std::optional<TextureId> Textures::mesh_attribute(const Properties& properties) {
+  const std::string name = properties.text("name", "");
+  if (name != "vertex_color") {
+    builder_.lacks(properties.place(), fmt::format("the mesh attribute '{}'", name));
+    return std::nullopt;
+  }
+  return builder_.add(Texture{properties.element().id, VertexColorTexture{}});
 }
 
 std::optional<TextureId> Textures::checkerboard(const Properties& properties) {

@@ -19,10 +19,13 @@ class Textures {
   // What an emitter gives.
   Textured<Spectrum> light(const Properties& properties, const std::string& name, const Spectrum& otherwise);
 
- private:
+  // None if it could not be read, which has been told.
   std::optional<TextureId> texture(const Element& element);
+
+ private:
   std::optional<TextureId> bitmap(const Properties& properties);
   std::optional<TextureId> checkerboard(const Properties& properties);
+  std::optional<TextureId> mesh_attribute(const Properties& properties);
 
   SceneBuilder& builder_;
   const Document& document_;

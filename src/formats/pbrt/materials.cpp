@@ -66,8 +66,6 @@ MaterialId Materials::convert(const MaterialHandle& material, const Textured<flo
 
 Material Materials::convert(const MaterialDefinition& definition) {
   const Parameters& parameters = definition.parameters;
-  parameters.lacks("displacement", "bumps by a displacement texture");
-  parameters.lacks("normalmap", "a normal map");
   parameters.ignore({"type"});
   Material material = with_lobe(Lambert{});
   if (definition.kind == "diffuse") {
@@ -87,8 +85,15 @@ Material Materials::convert(const MaterialDefinition& definition) {
     builder_.lacks(parameters.place(), fmt::format("a material of type '{}'", definition.kind));
     return material;
   }
+  add_detail(parameters, material);
   parameters.report_unknown(fmt::format("material '{}'", definition.kind));
   return material;
+}
+
+void Materials::add_detail(const Parameters& parameters, Material& material) {
+  if (parameters.has("displacement")) material.bump_map = textures_.number(parameters, "displacement", 0);
+  if (const Parameter* file = parameters.find("normalmap", {"string"}, 1))
+    if (const auto map = textures_.normal_map(*file)) material.normal_map.map = *map;
 }
 
 Material Materials::diffuse(const Parameters& parameters) {

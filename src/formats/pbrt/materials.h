@@ -38,6 +38,7 @@ class Materials {
 
  private:
   Material convert(const MaterialDefinition& definition);
+  void add_detail(const Parameters& parameters, Material& material);
   Material diffuse(const Parameters& parameters);
   Material coated_diffuse(const Parameters& parameters);
   Material conductor(const Parameters& parameters);

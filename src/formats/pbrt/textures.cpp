@@ -64,7 +64,9 @@ Textured<Spectrum> Textures::convert(const std::string& name, Definition& defini
   } else if (definition.kind == "checkerboard") {
     result = checker(name, parameters, is_float);
   } else if (definition.kind == "scale") {
-    result = scaled(parameters, is_float);
+    result = scaled(name, parameters, is_float);
+  } else if (definition.kind == "mix") {
+    result = mixed(name, parameters, is_float);
   } else {
     builder_.lacks(parameters.place(), fmt::format("a texture of kind '{}'", definition.kind));
     return result;
@@ -107,16 +109,28 @@ Textured<Spectrum> Textures::image(const std::string& name, const Parameters& pa
     builder_.diagnostics.error(parameters.place(), "an image texture wants a \"string filename\"");
     return {grey(0.5f)};
   }
-  texture.file = file->strings[0];
+  const auto id = with_image(name, std::move(texture), *file);
+  return id ? Textured<Spectrum>{white, *id} : Textured<Spectrum>{grey(0.5f)};
+}
+
+std::optional<TextureId> Textures::with_image(const std::string& name, ImageTexture texture,
+                                              const Parameter& file) {
+  texture.file = file.strings[0];
   const std::filesystem::path path = (folder_ / texture.file).lexically_normal();
   try {
-    texture.image = builder_.image(path, texture.color_space, file->place);
+    texture.image = builder_.image(path, texture.color_space, file.place);
   } catch (const SceneError& error) {
-    builder_.diagnostics.error(file->place, error);
-    return {grey(0.5f)};
+    builder_.diagnostics.error(file.place, error);
+    return std::nullopt;
   }
   texture.prepare();
-  return {white, builder_.add(Texture{name, std::move(texture)})};
+  return builder_.add(Texture{name, std::move(texture)});
+}
+
+std::optional<TextureId> Textures::normal_map(const Parameter& file) {
+  ImageTexture texture;
+  texture.color_space = ColorSpace::linear;
+  return with_image("normals", std::move(texture), file);
 }
 
 Textured<Spectrum> Textures::checker(const std::string& name, const Parameters& parameters, bool is_float) {
@@ -134,24 +148,30 @@ Textured<Spectrum> Textures::checker(const std::string& name, const Parameters& 
   return {white, builder_.add(Texture{name, std::move(texture)})};
 }
 
-// Of an image by a number, which is the image's own factor.
-Textured<Spectrum> Textures::scaled(const Parameters& parameters, bool is_float) {
-  Textured<Spectrum> texture = value(parameters, "tex", white, is_float);
+// An image by a number is that image with another factor.
+Textured<Spectrum> Textures::scaled(const std::string& name, const Parameters& parameters, bool is_float) {
+  const Textured<Spectrum> texture = value(parameters, "tex", white, is_float);
   const Textured<float> factor = number(parameters, "scale", 1);
-  if (!factor.is_constant()) {
-    builder_.lacks(parameters.place(), "a texture that scales another");
-    return texture;
+  if (factor.is_constant() && texture.is_constant()) return {texture.value * factor.value};
+  if (factor.is_constant()) {
+    Texture scaled = builder_.textures[index_of(texture.map)];
+    if (auto* image = std::get_if<ImageTexture>(&scaled.kind)) {
+      image->factor *= factor.value;
+      image->bias *= factor.value;
+      return {white, builder_.add(std::move(scaled))};
+    }
   }
-  if (texture.is_constant()) return {texture.value * factor.value};
-  Texture scaled = builder_.textures[index_of(texture.map)];
-  if (auto* image = std::get_if<ImageTexture>(&scaled.kind)) {
-    image->factor *= factor.value;
-    image->bias *= factor.value;
-  } else if (auto* checker = std::get_if<CheckerTexture>(&scaled.kind)) {
-    checker->even *= factor.value;
-    checker->odd *= factor.value;
-  }
+  Texture scaled{name, ScaleTexture{texture, {grey(factor.value), factor.map}}};
+  scaled.prepare(builder_.textures);
   return {white, builder_.add(std::move(scaled))};
+}
+
+Textured<Spectrum> Textures::mixed(const std::string& name, const Parameters& parameters, bool is_float) {
+  Texture mix{
+      name, MixTexture{value(parameters, "tex1", black, is_float), value(parameters, "tex2", white, is_float),
+                       number(parameters, "amount", 0.5f)}};
+  mix.prepare(builder_.textures);
+  return {white, builder_.add(std::move(mix))};
 }
 
 }  // namespace umbral::pbrt_file

@@ -22,6 +22,8 @@ class Textures {
   Textured<Spectrum> spectrum(const Parameters& parameters, const std::string& name,
                               const Spectrum& otherwise);
   Textured<float> number(const Parameters& parameters, const std::string& name, float otherwise);
+  // The image in that file; none if it cannot be read, which is told.
+  std::optional<TextureId> normal_map(const Parameter& file);
 
  private:
   struct Definition {
@@ -37,7 +39,9 @@ class Textures {
                            bool is_float);
   Textured<Spectrum> image(const std::string& name, const Parameters& parameters);
   Textured<Spectrum> checker(const std::string& name, const Parameters& parameters, bool is_float);
-  Textured<Spectrum> scaled(const Parameters& parameters, bool is_float);
+  Textured<Spectrum> scaled(const std::string& name, const Parameters& parameters, bool is_float);
+  Textured<Spectrum> mixed(const std::string& name, const Parameters& parameters, bool is_float);
+  std::optional<TextureId> with_image(const std::string& name, ImageTexture texture, const Parameter& file);
   template <class Map>
   void read_mapping(const Parameters& parameters, Map& texture) const;
 

@@ -19,8 +19,13 @@ std::size_t slot_of(const std::string& property) {
                                                         "u", "v", "red", "green", "blue", "alpha"};
   static constexpr std::array<std::array<const char*, 2>, 3> other_uvs{
       {{"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
+  static constexpr std::array<std::array<const char*, 3>, 2> other_colors{
+      {{"r", "g", "b"}, {"color_0", "color_1", "color_2"}}};
   for (std::size_t i = 0; i < slots; ++i)
     if (property == names[i]) return i;
+  for (const auto& color : other_colors)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (property == color[i]) return 8 + i;
   for (const auto& uv : other_uvs)
     for (std::size_t i = 0; i < 2; ++i)
       if (property == uv[i]) return 6 + i;
@@ -94,7 +99,9 @@ void BodyReader<Values>::read_vertices(const PlyElement& element) {
   if (!has[0] || !has[1] || !has[2]) values_.fail("the vertices have no x, y and z");
   const bool normals = has[3] && has[4] && has[5], uvs = has[6] && has[7];
   const bool colors = has[8] && has[9] && has[10];
-  const PlyType color_type = colors ? element.properties[*element.find("red")].type : PlyType::float32;
+  PlyType color_type = PlyType::float32;
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (targets[k] == 8) color_type = element.properties[k].type;
   const float most = color_type == PlyType::uint8 ? 255 : color_type == PlyType::uint16 ? 65535 : 1;
   mesh_.positions.reserve(element.count);
   if (normals) mesh_.normals.reserve(element.count);
