@@ -57,6 +57,8 @@ const std::vector<Library>& libraries() {
       {"toml++", std::regex("toml(\\+\\+|plusplus)?/.*"), {"formats"}},
       {"CLI11", std::regex("CLI/.*"), {"app"}},
       {"nlohmann/json", std::regex("nlohmann/.*"), {"app", "formats"}},
+      {"pugixml", std::regex("pugixml\\.hpp"), {"formats/mitsuba/document"}},
+      {"zlib", std::regex("zlib\\.h"), {"formats/mitsuba/serialized_mesh"}},
       {"the version", std::regex("umbral_version\\.h"), {}},
   };
   return table;

@@ -107,7 +107,7 @@ TEST(TomlErrors, CaretStandsUnderTheCharacterNotTheByte) {
   EXPECT_EQ(folder.errors_of_toml("camera = { position = [0, 0, 5], \"größe\" = 1 }\n"),
             "scene.toml:1:34: error: 'größe' is not a parameter of 'camera'; known are 'position', "
             "'look_at', 'up', "
-            "'fov', 'lens_radius' and 'focus_distance'\n"
+            "'fov', 'lens_radius', 'focus_distance', 'mirrored' and 'shift'\n"
             "    1 | camera = { position = [0, 0, 5], \"größe\" = 1 }\n"
             "      |                                  ^");
 }
@@ -126,7 +126,7 @@ TEST(TomlErrors, AMissingSceneFileIsNamed) {
   const SceneFolder folder;
   EXPECT_EQ(folder.errors("none.toml"), "none.toml: error: cannot be read: No such file or directory");
   EXPECT_EQ(folder.errors(""),
-            ": error: the name of a scene file must end in .toml, .gltf, .glb, .obj, .ply or .stl");
+            ": error: the name of a scene file must end in .toml, .pbrt, .xml, .gltf, .glb, .obj, .ply or .stl");
 }
 
 }  // namespace
