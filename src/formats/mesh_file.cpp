@@ -2,11 +2,13 @@
 #include "formats/mesh_file.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "formats/obj/obj_meshes.h"
 #include "formats/ply/ply_reader.h"
+#include "formats/stl/stl_reader.h"
 
 namespace umbral {
 namespace {
@@ -43,10 +45,13 @@ std::optional<Mesh> obj_as_one_mesh(SceneBuilder& builder, const std::shared_ptr
   return std::move(meshes[0].mesh);
 }
 
-std::optional<Mesh> ply_mesh(SceneBuilder& builder, const std::shared_ptr<const SourceText>& source) {
+// By a reader of meshes alone.
+std::optional<Mesh> plain_mesh(SceneBuilder& builder, const std::shared_ptr<const SourceText>& source,
+                               Mesh (*read)(const std::shared_ptr<const SourceText>&,
+                                            std::vector<std::string>&)) {
   try {
     std::vector<std::string> warnings;
-    Mesh mesh = read_ply(source, warnings);
+    Mesh mesh = read(source, warnings);
     for (const std::string& warning : warnings) builder.diagnostics.warning({{source->name()}}, warning);
     return mesh;
   } catch (const SceneError& error) {
@@ -58,25 +63,28 @@ std::optional<Mesh> ply_mesh(SceneBuilder& builder, const std::shared_ptr<const 
 }  // namespace
 
 FileKind file_kind(const std::filesystem::path& path) {
+  static const std::map<std::string, FileKind> kinds{{".toml", FileKind::toml}, {".obj", FileKind::obj},
+                                                     {".ply", FileKind::ply},   {".stl", FileKind::stl},
+                                                     {".gltf", FileKind::gltf}, {".glb", FileKind::gltf}};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".toml") return FileKind::toml;
-  if (ending == ".obj") return FileKind::obj;
-  if (ending == ".ply") return FileKind::ply;
-  return FileKind::unknown;
+  const auto found = kinds.find(ending);
+  return found == kinds.end() ? FileKind::unknown : found->second;
 }
 
 std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem::path& path,
                                    const Place& place) {
   const FileKind kind = file_kind(path);
-  if (kind != FileKind::obj && kind != FileKind::ply) {
-    builder.diagnostics.error(place, fmt::format("'{}' is neither an .obj nor a .ply file", path.string()));
+  if (kind != FileKind::obj && kind != FileKind::ply && kind != FileKind::stl) {
+    builder.diagnostics.error(
+        place, fmt::format("'{}' is no mesh: it ends in neither .obj, .ply nor .stl", path.string()));
     return std::nullopt;
   }
   try {
     const auto source = std::make_shared<const SourceText>(path.string(), builder.files.read(path));
-    return kind == FileKind::obj ? obj_as_one_mesh(builder, source) : ply_mesh(builder, source);
+    if (kind == FileKind::obj) return obj_as_one_mesh(builder, source);
+    return plain_mesh(builder, source, kind == FileKind::ply ? read_ply : read_stl);
   } catch (const SceneError& error) {
     builder.diagnostics.error(place, error);
     return std::nullopt;

@@ -9,12 +9,12 @@
 
 namespace umbral {
 
-enum class FileKind { toml, obj, ply, unknown };
+enum class FileKind { toml, obj, ply, stl, gltf, unknown };
 
 // By the name's ending, in capitals or not.
 FileKind file_kind(const std::filesystem::path& path);
 
-// All triangles of a PLY or OBJ file as one mesh, as they stand in the file: not yet cleaned. None if that
+// All triangles of a PLY, STL or OBJ file as one mesh, as they stand in the file: not yet cleaned. None if that
 // fails, which has been told, at `place` if the file cannot be opened.
 std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem::path& path,
                                    const Place& place);

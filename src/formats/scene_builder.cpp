@@ -3,6 +3,12 @@
 
 namespace umbral {
 
+void SceneBuilder::add_camera(NamedCamera named) {
+  if (!has_camera) camera = named.settings;
+  has_camera = true;
+  cameras.push_back(std::move(named));
+}
+
 TextureId SceneBuilder::add(Texture texture) {
   textures.push_back(std::move(texture));
   return static_cast<TextureId>(textures.size() - 1);

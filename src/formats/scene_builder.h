@@ -10,6 +10,7 @@
 
 #include "formats/diagnostics.h"
 #include "formats/input_files.h"
+#include "formats/named_camera.h"
 #include "scene/description.h"
 
 namespace umbral {
@@ -39,7 +40,8 @@ class SceneBuilder {
 
   CameraSettings camera;
   bool has_camera = false;
-  std::vector<Texture> textures;  // prepared
+  std::vector<NamedCamera> cameras;  // those that files name
+  std::vector<Texture> textures;     // prepared
   std::vector<Material> materials;
   std::vector<Place> material_places;  // one a material
   ShapeList world;
@@ -48,6 +50,8 @@ class SceneBuilder {
   std::vector<LightKinds> lights;
   std::optional<EnvironmentLight> environment;  // prepared
 
+  // Makes it the scene's own if that has none yet.
+  void add_camera(NamedCamera named);
   TextureId add(Texture texture);
   MaterialId add(Material material, Place place);
 

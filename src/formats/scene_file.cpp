@@ -1,24 +1,27 @@
 // The readers of scene files, chosen by the file's name.
 #include "formats/scene_file.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "formats/checks.h"
 #include "formats/framing.h"
 #include "formats/mesh_file.h"
-#include "formats/obj/obj_scene.h"
-#include "formats/place_shape.h"
+#include "formats/model_file.h"
 #include "formats/toml/scene_reader.h"
 
 namespace umbral {
 namespace {
 
-void add_ply(const std::filesystem::path& path, const Place& place, SceneBuilder& builder) {
-  std::optional<Mesh> mesh = read_mesh_file(builder, path, place);
-  if (!mesh) return;
-  const MaterialId material = builder.add(Material{"grey", Lambert{grey(0.5f)}, {}, {1}}, place);
-  builder.diagnostics.warning(place, "a PLY file names no material: it is matte grey (0.5)");
-  Shape shape{path.filename().string(), std::move(*mesh), {}, material};
-  const auto fault = place_shape(std::move(shape), place, builder.diagnostics, builder.world);
-  if (fault) builder.diagnostics.error(place, fault->message);
+// As many pixels as before, in the shape that the camera asks for.
+void take_aspect(const NamedCamera& camera, FilmSettings& film) {
+  if (!(camera.aspect > 0)) return;
+  const double pixels = static_cast<double>(film.width) * film.height;
+  const auto side = [&](double ratio) {
+    return std::clamp(static_cast<int>(std::lround(std::sqrt(pixels * ratio))), 1, 65536);
+  };
+  film.width = side(static_cast<double>(camera.aspect));
+  film.height = side(1 / static_cast<double>(camera.aspect));
 }
 
 }  // namespace
@@ -36,15 +39,20 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
     toml_file::read_scene(source, path.parent_path(), integrators, builder, result);
   } else {
     toml_file::read_no_settings(integrators, diagnostics, result);
-    if (kind == FileKind::obj) add_obj(builder, path, place, Affine{}, {}, builder.world);
-    if (kind == FileKind::ply) add_ply(path, place, builder);
     if (kind == FileKind::unknown)
-      diagnostics.error(place, "the name of a scene file must end in .toml, .obj or .ply");
+      diagnostics.error(place, "the name of a scene file must end in .toml, " + model_endings());
+    else
+      add_model(builder, path, place, Affine{}, {}, builder.world);
+    if (!builder.cameras.empty()) take_aspect(builder.cameras.front(), result.film);
   }
+  const bool empty = builder.world.shapes.empty() && builder.instances.empty() && !builder.environment;
+  if (kind != FileKind::toml && empty && !diagnostics.has_errors())
+    diagnostics.error(place, "there is nothing to see: the file has no surface and no environment");
   diagnostics.throw_errors();
   complete_scene(builder, static_cast<double>(result.film.width) / result.film.height, kind != FileKind::toml,
                  place);
   check_scene(builder, place);
+  result.cameras = builder.cameras;
   result.scene = builder.finish();
   result.warnings = diagnostics.warnings();
   result.hash = files.hash();

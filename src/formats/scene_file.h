@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "formats/named_camera.h"
 #include "scene/description.h"
 #include "scene/parameter_visitor.h"
 #include "scene/settings.h"
@@ -28,12 +29,13 @@ struct SceneFile {
   FilmSettings film;
   SamplingSettings sampling;
   std::string integrator;            // the kind chosen
+  std::vector<NamedCamera> cameras;  // that the files name, the first of which may be the scene's
   std::vector<Diagnostic> warnings;  // legal but doubtful, and what was repaired
   std::uint64_t hash = 0;            // of the bytes of the file and of every file it names
 };
 
-// Reads a .toml scene, or an .obj or .ply file as a scene by itself (framed by an automatic camera and lit by
-// a constant white environment where it has no light, both told in the warnings). Throws SceneError with
+// Reads a .toml scene, or a file of another kind (model_file.h) as a scene by itself: framed by an automatic camera
+// where it has none and lit by an environment where it has no light, both told in the warnings. Throws SceneError with
 // *every* error found.
 SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators);
 

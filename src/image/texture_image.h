@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -82,6 +83,10 @@ class TextureImage {
 // there were any, a sentence that says how many is added to `repairs`. Throws SceneError if the file is
 // missing, unreadable, truncated, empty or larger than 2²⁹ texels.
 TextureImage load_texture_image(const std::string& path, ColorSpace color_space,
+                                std::vector<std::string>& repairs);
+
+// The same of a file's bytes in memory. `name` is for messages, and its ending tells the format.
+TextureImage load_texture_image(std::string_view bytes, const std::string& name, ColorSpace color_space,
                                 std::vector<std::string>& repairs);
 
 }  // namespace umbral

@@ -4,6 +4,7 @@
 #include <memory>
 #include <new>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -148,24 +149,43 @@ std::unique_ptr<OIIO::ImageInput> opened(const std::string& path) {
   return input;
 }
 
-}  // namespace
-
-TextureImage load_texture_image(const std::string& path, ColorSpace color_space,
-                                std::vector<std::string>& repairs) {
-  const std::unique_ptr<OIIO::ImageInput> input = opened(path);
-  const OIIO::ImageSpec spec = input->spec();
+TextureImage loaded(OIIO::ImageInput& input, const std::string& path, ColorSpace color_space,
+                    std::vector<std::string>& repairs) {
+  const OIIO::ImageSpec spec = input.spec();
   require_sane(spec, path);
   const bool srgb = color_space == ColorSpace::srgb ||
                     (color_space == ColorSpace::automatic && !spec.format.is_floating_point());
   try {
     Repair repair;
-    TextureImage image(read_texels(*input, srgb, repair, path));
+    TextureImage image(read_texels(input, srgb, repair, path));
     repair.report(spec, path, repairs);
     return image;
   } catch (const std::bad_alloc&) {
     throw SceneError(
         {path}, fmt::format("there is not enough memory for its {} x {} texels", spec.width, spec.height));
   }
+}
+
+}  // namespace
+
+TextureImage load_texture_image(const std::string& path, ColorSpace color_space,
+                                std::vector<std::string>& repairs) {
+  const std::unique_ptr<OIIO::ImageInput> input = opened(path);
+  return loaded(*input, path, color_space, repairs);
+}
+
+TextureImage load_texture_image(std::string_view bytes, const std::string& name, ColorSpace color_space,
+                                std::vector<std::string>& repairs) {
+  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());  // it only reads
+  OIIO::Filesystem::IOProxy* proxy = &memory;
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  // OpenImageIO looks at the ending alone.
+  const std::string ending = "texture" + std::filesystem::path(name).extension().string();
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(ending, &config);
+  if (!input) throw SceneError({name}, "the image cannot be read: " + OIIO::geterror());
+  return loaded(*input, name, color_space, repairs);
 }
 
 }  // namespace umbral

@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"integrators/a.cpp", "<embree4/rtcore.h>", "Embree belongs in scene/accel"},
         Case{"scene/a.cpp", "<toml++/toml.h>", "toml++ belongs in formats"},
         Case{"render/a.cpp", "<CLI/CLI.hpp>", "CLI11 belongs in app"},
-        Case{"formats/a.cpp", "<nlohmann/json.hpp>", "nlohmann/json belongs in app"},
+        Case{"scene/a.cpp", "<nlohmann/json.hpp>", "nlohmann/json belongs in app, formats"},
         Case{"render/a.cpp", "<tbb/parallel_for.h>", "oneTBB belongs in core"},
         Case{"bsdf/a.cpp", "<boost/math/distributions/students_t.hpp>", "Boost.Math belongs in core"},
         Case{"render/a.cpp", "<iostream>", "the standard output belongs in app"},

@@ -56,7 +56,7 @@ const std::vector<Library>& libraries() {
       {"Embree", std::regex("embree[0-9]*/.*"), {"scene/accel", "scene/accel_embree", "scene/user_geometry"}},
       {"toml++", std::regex("toml(\\+\\+|plusplus)?/.*"), {"formats"}},
       {"CLI11", std::regex("CLI/.*"), {"app"}},
-      {"nlohmann/json", std::regex("nlohmann/.*"), {"app"}},
+      {"nlohmann/json", std::regex("nlohmann/.*"), {"app", "formats"}},
       {"the version", std::regex("umbral_version\\.h"), {}},
   };
   return table;

@@ -115,10 +115,7 @@ MtlLook ObjScene::look(std::uint32_t material) {
   const auto known = looks_.find(material);
   if (known != looks_.end()) return known->second;
   const ObjName& name = file_.materials[material];
-  std::optional<MaterialId> override = overrides_.all;
-  if (const auto named = overrides_.by_name.find(name.name); named != overrides_.by_name.end())
-    override = named->second;
-  return looks_.emplace(material, new_look(name, override)).first->second;
+  return looks_.emplace(material, new_look(name, overrides_.find(name.name))).first->second;
 }
 
 MtlLook ObjScene::new_look(const ObjName& name, std::optional<MaterialId> override) {

@@ -2,20 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "formats/material_overrides.h"
 #include "formats/scene_builder.h"
 
 namespace umbral {
-
-// Which of our own materials stand in the place of the file's. Emission stays the file's.
-struct MaterialOverrides {
-  std::optional<MaterialId> all;
-  std::map<std::string, MaterialId> by_name;  // of the file's materials
-};
 
 // Appends the shapes of an OBJ file, one for each material (and one more for its faces without normals, where
 // others have some), and adds its materials. What is wrong is told to the builder's diagnostics, at `place`

@@ -1,12 +1,10 @@
-// Shapes of a document that come from OBJ and PLY files with their materials.
+// Parts of a document that come from files of other programs, with their materials.
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "core/names.h"
-#include "formats/mesh_file.h"
-#include "formats/obj/obj_scene.h"
-#include "formats/place_shape.h"
+#include "formats/model_file.h"
 #include "formats/toml/shape_reader.h"
 #include "formats/toml/transform.h"
 
@@ -38,22 +36,15 @@ void ShapeReader::read_include(const Value& item, const Value::Table& entries, S
   if (!file) return;
   const std::filesystem::path path = (folder_ / *file).lexically_normal();
   const Place place = context_.place(*table.find("file"));
-  switch (file_kind(path)) {
-    case FileKind::obj: {
-      const std::vector<std::string> names = add_obj(builder_, path, place, to_world, overrides, shapes);
-      if (by_name) check_overrides(*by_name, names);
-      break;
-    }
-    case FileKind::ply:
-      if (!material) table.missing("material");
-      if (by_name)
-        context_.error(*table.find_entry("materials"),
-                       "'materials' has no effect: a PLY file names no materials");
-      if (overrides.all) include_ply(path, place, to_world, *overrides.all, shapes);
-      break;
-    default:
-      context_.diagnostics.error(place, fmt::format("'{}' is neither an .obj nor a .ply file", *file));
+  if (is_plain_mesh(path)) {
+    if (by_name)
+      context_.error(*table.find_entry("materials"),
+                     "'materials' has no effect: the file names no materials");
+    if (!material) return table.missing("material");
   }
+  const std::vector<std::string> names = add_model(builder_, path, place, to_world, overrides, shapes);
+  const bool failed = names.empty() && context_.diagnostics.has_errors();
+  if (by_name && !failed && !is_plain_mesh(path)) check_overrides(*by_name, names);
 }
 
 void ShapeReader::check_overrides(const Value::Table& entries, const std::vector<std::string>& names) const {
@@ -61,15 +52,6 @@ void ShapeReader::check_overrides(const Value::Table& entries, const std::vector
     if (std::find(names.begin(), names.end(), entry.key) == names.end())
       context_.error(entry, fmt::format("no face of the file uses a material '{}'{}", entry.key,
                                         suggestion(entry.key, names)));
-}
-
-void ShapeReader::include_ply(const std::filesystem::path& path, const Place& place, const Affine& to_world,
-                              MaterialId material, ShapeList& shapes) {
-  std::optional<Mesh> mesh = read_mesh_file(builder_, path, place);
-  if (!mesh) return;
-  Shape shape{path.filename().string(), std::move(*mesh), to_world, material};
-  if (const auto fault = place_shape(std::move(shape), place, context_.diagnostics, shapes))
-    context_.diagnostics.error(place, fault->message);
 }
 
 }  // namespace umbral::toml_file

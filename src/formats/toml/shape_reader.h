@@ -34,8 +34,6 @@ class ShapeReader {
   void read_include(const Value& item, const Value::Table& table, ShapeList& shapes);
   std::map<std::string, MaterialId> read_overrides(const Value::Table& entries);
   void check_overrides(const Value::Table& entries, const std::vector<std::string>& names) const;
-  void include_ply(const std::filesystem::path& path, const Place& place, const Affine& to_world,
-                   MaterialId material, ShapeList& shapes);
 
   const Context& context_;
   SceneBuilder& builder_;

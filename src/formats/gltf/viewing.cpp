@@ -1,0 +1,72 @@
+// Placing of lights and cameras.
+#include "formats/gltf/viewing.h"
+
+#include <fmt/format.h>
+
+namespace umbral::gltf {
+namespace {
+
+// Unit; nothing where the transform leaves no direction.
+std::optional<Vec3d> direction(const Affine& map, const Vec3d& axis) {
+  const Vec3d moved = map.linear * axis;
+  const double length = glm::length(moved);
+  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+  return moved / length;
+}
+
+}  // namespace
+
+void add_light(const PunctualLight& light, const Affine& to_world, SceneBuilder& builder, Report& report) {
+  const std::string path = "/extensions/KHR_lights_punctual/lights";
+  const auto strength = static_cast<float>(light.intensity);
+  const Spectrum color =
+      strength * rgb(static_cast<float>(light.color[0]), static_cast<float>(light.color[1]),
+                     static_cast<float>(light.color[2]));
+  const Vec3 position(to_world.offset);
+  const auto towards = direction(to_world, {0, 0, -1});
+  if (light.range) report.warning(path, "'range' is not used: light falls off with the square of distance");
+  if (light.type == "point") {
+    builder.lights.emplace_back(PointLight{position, color});
+  } else if (!towards) {
+    report.warning(path, fmt::format("the light '{}' has no direction and is left out", light.name));
+  } else if (light.type == "directional") {
+    builder.lights.emplace_back(DistantLight{Vec3(*towards), color});
+  } else if (light.type == "spot") {
+    const SpotCone& cone = *light.spot;
+    const auto reach = static_cast<float>(std::max(1.0, glm::length(to_world.offset)));
+    builder.lights.emplace_back(SpotLight{position, position + reach * Vec3(*towards), color,
+                                          static_cast<float>(glm::degrees(cone.outer)),
+                                          static_cast<float>(glm::degrees(cone.outer - cone.inner))});
+  } else {
+    report.warning(path, fmt::format("a light of the unknown type '{}' is left out", light.type));
+  }
+}
+
+void add_camera(const Document& document, std::uint32_t node, const Affine& to_world, SceneBuilder& builder,
+                Report& report) {
+  const Ref<List::cameras> ref = document.nodes[node].camera;
+  const CameraData& data = document[ref];
+  const std::string path = fmt::format("/cameras/{}", ref.index);
+  const auto view = direction(to_world, {0, 0, -1}), up = direction(to_world, {0, 1, 0});
+  if (!data.perspective || !view || !up) {
+    report.warning(path, data.orthographic ? "an orthographic camera cannot be used"
+                                           : "the camera has no direction and is left out");
+    return;
+  }
+  NamedCamera camera;
+  camera.name = document.nodes[node].name.empty() ? data.name : document.nodes[node].name;
+  if (camera.name.empty()) camera.name = fmt::format("camera{}", builder.cameras.size());
+  camera.aspect = static_cast<float>(data.perspective->aspect_ratio);
+  CameraSettings& settings = camera.settings;
+  settings.position = Vec3(to_world.offset);
+  settings.look_at = Vec3(to_world.offset + std::max(1.0, glm::length(to_world.offset)) * *view);
+  settings.up = Vec3(*up);
+  settings.fov = static_cast<float>(glm::degrees(data.perspective->yfov));
+  if (settings.fov >= 180) {
+    report.warning(path + "/perspective/yfov", "an angle of 180 degrees and more is taken as 179");
+    settings.fov = 179;
+  }
+  builder.add_camera(std::move(camera));
+}
+
+}  // namespace umbral::gltf
