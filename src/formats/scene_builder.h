@@ -10,8 +10,8 @@
 
 #include "formats/diagnostics.h"
 #include "formats/input_files.h"
-#include "formats/read_options.h"
 #include "formats/named_camera.h"
+#include "formats/read_options.h"
 #include "scene/description.h"
 
 namespace umbral {

@@ -58,8 +58,7 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
   if (kind != FileKind::toml && empty && !diagnostics.has_errors())
     diagnostics.error(place, "there is nothing to see: the file has no surface and no environment");
   diagnostics.throw_errors();
-  const bool is_model =
-      kind != FileKind::toml && kind != FileKind::pbrt && kind != FileKind::mitsuba;
+  const bool is_model = kind != FileKind::toml && kind != FileKind::pbrt && kind != FileKind::mitsuba;
   complete_scene(builder, static_cast<double>(result.film.width) / result.film.height, is_model, place);
   check_scene(builder, place);
   result.cameras = builder.cameras;

@@ -207,8 +207,8 @@ TEST(Sampler, SobolHasNoLastDimension) {
     for (std::set<int>& set : strata) set.insert(static_cast<int>(sampler.next1d() * 1024));
   }
   for (const std::set<int>& set : strata) EXPECT_EQ(set.size(), 1024u);
-  test::record({"Accumulation", "Sobol points end or repeat at dimension 10 000", "1024 strata each hold one of 1024",
-                fmt::format("{}", strata[3].size()), "pbrt-v3 #237"});
+  test::record({"Accumulation", "Sobol points end or repeat at dimension 10 000",
+                "1024 strata each hold one of 1024", fmt::format("{}", strata[3].size()), "pbrt-v3 #237"});
 }
 
 TEST(Sampler, GoesOnBeyondTheLast32BitIndex) {
@@ -227,7 +227,8 @@ TEST(Sampler, GoesOnBeyondTheLast32BitIndex) {
     for (const std::uint64_t i : {end, end + 1})
       EXPECT_NE(Sampler(kind, {5, 1, 1, 0, i}).next1d(), Sampler(kind, {5, 1, 1, 0, i - end}).next1d());
   }
-  test::record({"Accumulation", "samples repeat beyond index 2^32", "other samples than from 0", "none the same"});
+  test::record(
+      {"Accumulation", "samples repeat beyond index 2^32", "other samples than from 0", "none the same"});
 }
 
 // Two numbers that should be independent, drawn for each of 300 000 pixels: their pairs fill the square

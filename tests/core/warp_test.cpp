@@ -165,8 +165,8 @@ TEST(Warp, ConesKeepTheirDigits) {
     EXPECT_NEAR(one_minus_cos_of_cone(sin2) / exact, 1, sin2 > 0.99f ? 1e-5 : 3e-7) << sin2;
     if (sin2 < 0.99f) worst = std::max(worst, std::abs(one_minus_cos_of_cone(sin2) / exact - 1));
   }
-  record({"Lights", "the solid angle of a narrow cone, down to sin θ = 1e-15, loses digits", "≤ 3e-7 relative",
-          fmt::format("{:.1e}", worst), "1 − cos θ in single precision: 3 at 1e-4"});
+  test::record({"Lights", "the solid angle of a narrow cone, down to sin θ = 1e-15, loses digits",
+                "≤ 3e-7 relative", fmt::format("{:.1e}", worst), "1 − cos θ in single precision: 3 at 1e-4"});
   // The solid angle of a cone: 2π(1 − cos θ).
   EXPECT_FLOAT_EQ(cone_pdf(1e-12f), 1 / (two_pi * 1e-12f));
   const Vec3 edge = square_to_cone({one_minus_epsilon, 0}, 1e-12f);

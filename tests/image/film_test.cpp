@@ -9,8 +9,8 @@
 
 #include "core/parallel.h"
 #include "core/statistics.h"
-#include "synthetic_film.h"
 #include "support/stability.h"
+#include "synthetic_film.h"
 
 namespace umbral {
 namespace {
@@ -184,8 +184,8 @@ TEST(Film, ManyBlocksKeepTheirDigits) {
   for (int i = 0; i < 781'250; ++i) film.add(0, 0, {sums, 64});
   EXPECT_NEAR(film.at(0, 0).mean.r / double{0.1f}, 1, 1e-12);
   EXPECT_LT(film.at(0, 0).standard_error.r, 1e-12);
-  record({"Accumulation", "1e8 samples of a constant drift", "≤ 1e-12 relative",
-          fmt::format("{:.1e}", std::abs(film.at(0, 0).mean.r / double{0.1f} - 1)), "mitsuba2 #82"});
+  test::record({"Accumulation", "1e8 samples of a constant drift", "≤ 1e-12 relative",
+                fmt::format("{:.1e}", std::abs(film.at(0, 0).mean.r / double{0.1f} - 1)), "mitsuba2 #82"});
 }
 
 TEST(Film, ManyThreadsGiveTheBitsOfOne) {

@@ -79,7 +79,7 @@ TEST(Absorption, TakesFromDirectLightInside) {
   SceneDescription description;
   add_shape(description, box({-9, -9, 0}, {9, 9, 6}), add_material(description, stained(1)));
   add_shape(description, rectangle({-5, -5, 2}, {0, 10, 0}, {10, 0, 0}), add_matte(description, grey(0.6f)));
-  description.lights.push_back(PointLight{{0.5f, 0, 1}, white});
+  description.lights.emplace_back(PointLight{{0.5f, 0, 1}, white});
   const Scene scene(std::move(description));
   PathIntegrator path;
   path.max_depth = 3;

@@ -73,7 +73,7 @@ TEST_P(DeltaLightOracle, FullMoon) {
   description.camera =
       camera({0, -1e5f, 0}, {0, 0, 0}, static_cast<float>(2 * std::atan(half_width / distance) * 180 / pi_d));
   add_shape(description, sphere({0, 0, 0}, 1), add_matte(description, Spectrum(Vec3(albedo), 0)));
-  description.lights.push_back(DistantLight{{0, 1, 0}, Spectrum(Vec3(strength), 0)});
+  description.lights.emplace_back(DistantLight{{0, 1, 0}, Spectrum(Vec3(strength), 0)});
   const Scene scene(std::move(description));
   const Vec3d disk_mean = 2.0 / 3 * albedo * strength / pi_d;
   const Vec3d image_mean = disk_mean * (pi_d / sqr(2 * half_width));

@@ -94,7 +94,7 @@ SceneDescription lit_sphere(TextureKinds albedo_texture) {
   description.camera = view;
   const TextureId texture = add_texture(description, std::move(albedo_texture));
   add_shape(description, sphere({0, 0, 0}, 1), add_matte(description, texture));
-  description.lights.push_back(PointLight{Vec3(light), Spectrum(Vec3(intensity), 0)});
+  description.lights.emplace_back(PointLight{Vec3(light), Spectrum(Vec3(intensity), 0)});
   return description;
 }
 

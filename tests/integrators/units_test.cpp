@@ -9,7 +9,8 @@ namespace umbral::test {
 namespace {
 
 constexpr float room_size = 4;
-constexpr const char *section = "Units of length and places", *promise = "equal within noise, 0.5 % would show";
+constexpr const char *section = "Units of length and places",
+                     *promise = "equal within noise, 0.5 % would show";
 
 // Whether a mesh is carried to its place by a transform in double, or by vertices that were rounded there.
 enum class Vertices { transformed, rounded };
@@ -61,7 +62,8 @@ TEST(UnitAgreement, PowersOfTen) {
   for (const double scale : {1e-6, 1e6}) {
     SCOPED_TRACE(scale);
     EXPECT_TRUE(is_the_same_room(room(scaling(Vec3d(scale))), 1e-5));
-    record({section, fmt::format("a room of {:g} times the size is another picture", scale), promise, "equal"});
+    record(
+        {section, fmt::format("a room of {:g} times the size is another picture", scale), promise, "equal"});
   }
 }
 
@@ -70,8 +72,9 @@ TEST(DistanceAgreement, OfWhatIsPlacedByTransforms) {
   for (const double distance : {1e5, 1e6, 1e7}) {
     SCOPED_TRACE(distance);
     EXPECT_TRUE(is_the_same_room(room(translation({distance, -distance, distance})), 1e-5));
-    record({section, fmt::format("a room of size 4 moved by {:g}, placed by transforms, is another", distance), promise,
-            "equal", "mitsuba3 #512"});
+    record({section,
+            fmt::format("a room of size 4 moved by {:g}, placed by transforms, is another", distance),
+            promise, "equal", "mitsuba3 #512"});
   }
 }
 
@@ -82,8 +85,10 @@ TEST(DistanceAgreement, OfRoundedVertices) {
     SCOPED_TRACE(distance);
     const Affine place = translation({distance, -distance, distance}) * scaling(Vec3d(distance / 1000));
     EXPECT_TRUE(is_the_same_room(room(place, Vertices::rounded), 1e-4));
-    record({section, fmt::format("a room moved by {:g}, 250 times its size, of rounded vertices, is another", distance),
-            promise, "equal", "pbrt-v4 #186"});
+    record(
+        {section,
+         fmt::format("a room moved by {:g}, 250 times its size, of rounded vertices, is another", distance),
+         promise, "equal", "pbrt-v4 #186"});
   }
 }
 

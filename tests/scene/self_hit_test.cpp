@@ -167,7 +167,9 @@ TEST(SelfHits, OfToriAreNone) {
   std::uint64_t seed = 5;
   for (const double ratio : {0.25, 0.01, 0.9, 1.0, 1.5, 4.0}) {
     SCOPED_TRACE(ratio);
-    expect_no_self_hits(fmt::format("tori, r = {} R", ratio), [=](Random& random) { return torus_trial(random, ratio); }, false, seed++);
+    expect_no_self_hits(
+        fmt::format("tori, r = {} R", ratio), [=](Random& random) { return torus_trial(random, ratio); },
+        false, seed++);
   }
 }
 
@@ -175,7 +177,9 @@ TEST(SelfHits, OfTrianglesAreNone) {
   std::uint64_t seed = 50;
   for (const double thinness : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6}) {
     SCOPED_TRACE(thinness);
-    expect_no_self_hits(fmt::format("triangles, {:g} as thin as long", thinness), [=](Random& random) { return triangle_trial(random, thinness); }, false, seed++);
+    expect_no_self_hits(
+        fmt::format("triangles, {:g} as thin as long", thinness),
+        [=](Random& random) { return triangle_trial(random, thinness); }, false, seed++);
   }
 }
 
@@ -186,7 +190,8 @@ TEST(SelfHits, OfInstancesAreNone) {
   expect_no_self_hits("instanced spheres", trial(sphere({0, 0, 0}, 1), {1, 0, 0}), true, 20);
   expect_no_self_hits("instanced disks", trial(disk({0, 0, 0}, {0, 0, 1}, 1), {0, 0, 0}), true, 21);
   expect_no_self_hits("instanced tori", trial(torus(1, 0.5f), {1, 0, 0.5}), true, 22);
-  expect_no_self_hits("instanced rectangles", trial(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), {0, 0, 0}), true, 23);
+  expect_no_self_hits("instanced rectangles", trial(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), {0, 0, 0}),
+                      true, 23);
   expect_no_self_hits("instanced boxes", trial(box({-1, -1, -1}, {1, 1, 1}), {0, 1, 0}), true, 24);
   expect_no_self_hits("instanced meshes", trial(icosphere(3), {0, 0, 1}), true, 25);
   const Mesh sliver = polygon({{-1, 0, 0.5f}, {0.8f, 0.3f, -0.6f}, {-0.1f, 0.151f, -0.051f}});
@@ -198,9 +203,12 @@ TEST(SelfHits, OfShapesThatWereMovedBackAreNone) {
     return [=](Random& random) { return returned_trial(random, kind, on_it); };
   };
   for (const bool instanced : {false, true}) {
-    expect_no_self_hits(fmt::format("spheres moved away and back{}", instanced ? ", instanced" : ""), trial(sphere({0, 0, 0}, 1), {1, 0, 0}), instanced, 30);
-    expect_no_self_hits(fmt::format("disks moved away and back{}", instanced ? ", instanced" : ""), trial(disk({0, 0, 0}, {0, 1, 0}, 1), {0, 0, 0}), instanced, 31);
-    expect_no_self_hits(fmt::format("rectangles moved away and back{}", instanced ? ", instanced" : ""), trial(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), {0, 0, 0}), instanced, 32);
+    expect_no_self_hits(fmt::format("spheres moved away and back{}", instanced ? ", instanced" : ""),
+                        trial(sphere({0, 0, 0}, 1), {1, 0, 0}), instanced, 30);
+    expect_no_self_hits(fmt::format("disks moved away and back{}", instanced ? ", instanced" : ""),
+                        trial(disk({0, 0, 0}, {0, 1, 0}, 1), {0, 0, 0}), instanced, 31);
+    expect_no_self_hits(fmt::format("rectangles moved away and back{}", instanced ? ", instanced" : ""),
+                        trial(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), {0, 0, 0}), instanced, 32);
   }
 }
 

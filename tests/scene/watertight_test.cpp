@@ -76,7 +76,8 @@ TEST(Watertight, BoxSeenFromFarHasNoHoles) {
     }
   }
   EXPECT_EQ(holes, 0);
-  record({"Closed meshes", "holes in a box seen from up to 1e4 away", "0", fmt::format("{} of 1000000", holes)});
+  record(
+      {"Closed meshes", "holes in a box seen from up to 1e4 away", "0", fmt::format("{} of 1000000", holes)});
 }
 
 // The same through the diagonal that the two triangles of each face share.
