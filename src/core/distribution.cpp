@@ -51,24 +51,6 @@ Distribution1D::Draw Distribution1D::sample(float u) const {
   return {index, width, std::min(remainder, one_minus_epsilon)};
 }
 
-namespace {
-
-// Of n cells of the unit interval, the one that holds x; beyond the interval the nearest.
-std::size_t cell_of(float x, std::size_t n) {
-  return std::min(static_cast<std::size_t>(std::max(0.0f, x) * static_cast<float>(n)), n - 1);
-}
-
-// The position of `remainder` in the cell `index` of n. Rounding may put it beside its cell, where the
-// density is another one or none: then it moves back by a float.
-float position_in_cell(std::size_t index, float remainder, std::size_t n) {
-  float x = (static_cast<float>(index) + remainder) / static_cast<float>(n);
-  while (x >= 1 || cell_of(x, n) > index) x = std::nextafter(x, 0.0f);
-  while (cell_of(x, n) < index) x = std::nextafter(x, 1.0f);
-  return x;
-}
-
-}  // namespace
-
 Distribution2D::Distribution2D(std::span<const double> weights, std::size_t width, std::size_t height) {
   std::vector<double> sums;
   for (std::size_t y = 0; y < height; ++y) {
@@ -80,19 +62,8 @@ Distribution2D::Distribution2D(std::span<const double> weights, std::size_t widt
 
 Distribution2D::Draw Distribution2D::sample(const Vec2& u) const {
   const Distribution1D::Draw row = rows_.sample(u.y);
-  const Distribution1D& columns = columns_[row.index];
-  const Distribution1D::Draw column = columns.sample(u.x);
-  const Vec2 position{position_in_cell(column.index, column.remainder, columns.size()),
-                      position_in_cell(row.index, row.remainder, rows_.size())};
-  const auto cells = static_cast<float>(columns.size() * rows_.size());
-  return {position, row.probability * column.probability * cells};
-}
-
-float Distribution2D::pdf(const Vec2& position) const {
-  const std::size_t y = cell_of(position.y, rows_.size());
-  const Distribution1D& columns = columns_[y];
-  const auto cells = static_cast<float>(columns.size() * rows_.size());
-  return rows_.probability(y) * columns.probability(cell_of(position.x, columns.size())) * cells;
+  const Distribution1D::Draw column = columns_[row.index].sample(u.x);
+  return {column.index, row.index, row.probability * column.probability, {column.remainder, row.remainder}};
 }
 
 }  // namespace umbral

@@ -1,4 +1,4 @@
-// Piecewise-constant distributions over a list and over a grid, sampled by their stored cumulative sums.
+// Distributions over a list and over a grid, sampled by their stored cumulative sums.
 #pragma once
 
 #include <span>
@@ -32,19 +32,23 @@ class Distribution1D {
   double sum_ = 0;
 };
 
-// Over the unit square, constant on each cell of a width × height grid; row 0 is at y = 0.
+// Over the cells of a width × height grid: a row, then a column of it.
 class Distribution2D {
  public:
   struct Draw {
-    Vec2 position;  // in the unit square
-    float pdf;      // per unit area of the square
+    std::size_t x, y;
+    float probability;  // of this cell
+    Vec2 remainder;     // where in the cell's intervals u fell, in [0, 1)²: uniform again
   };
 
   Distribution2D() = default;
+  // Row by row, as those of Distribution1D.
   Distribution2D(std::span<const double> weights, std::size_t width, std::size_t height);
 
   Draw sample(const Vec2& u) const;
-  float pdf(const Vec2& position) const;
+  float probability(std::size_t x, std::size_t y) const {
+    return rows_.probability(y) * columns_[y].probability(x);
+  }
   double sum() const { return rows_.sum(); }
 
  private:

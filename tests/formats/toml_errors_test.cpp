@@ -39,13 +39,14 @@ TEST_P(GoldenTomlErrors, HaveThisText) {
   const SceneFolder folder;
   folder.write("black.tga", test::tga(2, 2, 0, 0, 0, 255));
   folder.write("empty.ply", "");
+  folder.write("empty.ies", "");
   EXPECT_EQ(folder.errors_of_toml(GetParam().scene) + '\n', GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenTomlErrors, testing::ValuesIn(goldens()),
                          [](const testing::TestParamInfo<Golden>& golden) { return golden.param.name; });
 
-TEST(TomlErrors, AreCheckedInNumber) { EXPECT_GE(goldens().size(), 87u); }
+TEST(TomlErrors, AreCheckedInNumber) { EXPECT_GE(goldens().size(), 93u); }
 
 // The words are those of toml++ and differ between its versions.
 TEST(TomlErrors, OfSyntaxAreLocated) {

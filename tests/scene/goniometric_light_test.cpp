@@ -32,6 +32,24 @@ TEST(Goniometric, TurnsItsColumnsAsDocumented) {
   EXPECT_NEAR(light.intensity_towards(cross(light.front, light.axis)).g, 5.5, 1e-4) << "right of it";
 }
 
+TEST(Goniometric, MayHaveAnEqualAreaImage) {
+  GoniometricLight light = lamp(16, 16, [](int, int) { return 2; });
+  light.mapping = SphereMapping::equal_area;
+  EXPECT_NEAR(light.power(), 8 * pi_d, 1e-3);
+  const GoniometricLight spot = [] {
+    GoniometricLight made = lamp(5, 5, [](int x, int y) { return x == 2 && y == 2; });
+    made.mapping = SphereMapping::equal_area;
+    made.axis = {0, 0, 2};
+    made.front = {1, 0, 0};
+    return made;
+  }();
+  EXPECT_NEAR(spot.intensity_towards({0, 0, -1}).g, 1, 1e-5) << "the middle shines back along the axis";
+  EXPECT_NEAR(spot.intensity_towards({0, 0, 1}).g, 0, 1e-5);
+  GoniometricLight turned = spot;
+  turned.image_from_world = Mat3(1);
+  EXPECT_NEAR(turned.intensity_towards({0, 1, 0}).g, 1, 1e-5);
+}
+
 TEST(Goniometric, GivesIntensityOverSquaredDistance) {
   GoniometricLight light = lamp(4, 64, [](int, int) { return 3; });
   light.position = {1, 2, 3};

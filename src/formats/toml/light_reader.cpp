@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/kinds.h"
+#include "formats/ies.h"
 #include "formats/toml/parameter_reader.h"
 #include "scene/lights/sky.h"
 
@@ -14,6 +15,16 @@ struct LightFault {
   const char* key;
   const char* message;
 };
+
+constexpr const char* not_square = "the image is not square, as those of mapping = \"equal_area\" are";
+
+bool covers(SphereMapping mapping, const TextureImage& image) {
+  return mapping != SphereMapping::equal_area || image.width() == image.height();
+}
+
+bool is_ies(const std::filesystem::path& path) {
+  return path.extension() == ".ies" || path.extension() == ".IES";
+}
 
 std::optional<LightFault> fault_of(const DistantLight& light) {
   if (light.direction == Vec3(0)) return LightFault{"direction", "'direction' of 'distant' has no direction"};
@@ -42,6 +53,9 @@ std::optional<LightFault> fault_of(const GoniometricLight& light) {
   if (!(glm::length(cross(axis, front)) > 1e-6 * glm::length(axis) * glm::length(front)))
     return LightFault{"front",
                       "'front' of 'goniometric' is along its 'axis', or zero: it does not tell a side"};
+  if (light.mapping != SphereMapping::equirectangular && is_ies(light.file))
+    return LightFault{"mapping", "'mapping' is of images; an .ies file tells its angles itself"};
+  if (light.image && !covers(light.mapping, *light.image)) return LightFault{"file", not_square};
   if (light.image && !(light.power() > 0)) return LightFault{"file", "the image is black: no light"};
   return std::nullopt;
 }
@@ -81,8 +95,11 @@ void LightReader::read_light(const Value& item, const Value::Table& entries) {
 
 std::shared_ptr<const TextureImage> LightReader::image(TableReader& table, const std::string& file) {
   const Place place = context_.place(*table.find("file"));
+  const std::filesystem::path path = (folder_ / file).lexically_normal();
   try {
-    return builder_.image((folder_ / file).lexically_normal(), ColorSpace::automatic, place);
+    if (is_ies(path))
+      return std::make_shared<TextureImage>(luminaire_image(builder_.files.read(path), path.string()));
+    return builder_.image(path, ColorSpace::automatic, place);
   } catch (const SceneError& error) {
     context_.diagnostics.error(place, error);
     return nullptr;
@@ -106,12 +123,15 @@ void LightReader::read_environment(TableReader& table) {
   for_each_parameter(light, parameters);
   table.finish();
   if (!claims_environment(table)) return;
-  if (table.has("rotation") && !table.has("file"))
-    context_.error(*table.find_entry("rotation"),
-                   "'rotation' has no effect on an environment without 'file'");
+  for (const char* name : {"rotation", "mapping"})
+    if (table.has(name) && !table.has("file"))
+      context_.error(*table.find_entry(name),
+                     fmt::format("'{}' has no effect on an environment without 'file'", name));
   if (!light.file.empty()) {
     light.image = image(table, light.file);
     if (!light.image) return;
+    if (!covers(light.mapping, *light.image))
+      return context_.diagnostics.error(context_.place(*table.find("file")), not_square);
   }
   light.prepare();
   if (is_black(light.radiance))

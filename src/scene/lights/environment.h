@@ -6,19 +6,16 @@
 #include <string>
 #include <tuple>
 
-#include "core/distribution.h"
 #include "core/parameters.h"
-#include "image/texture_image.h"
 #include "scene/lights/light_sample.h"
+#include "scene/lights/sphere_distribution.h"
 
 namespace umbral {
 
-// Images are latitude-longitude with +y up: the middle column is seen looking along −z, and columns to its right
-// are further right. Sampled by the luminance of the texels times the sine of their polar angle; a cell's weight is
-// the mean over its neighbours too, so that its density is positive wherever the bilinear look-up is.
 struct EnvironmentLight {
   Spectrum radiance = grey(1);
   std::string file;
+  SphereMapping mapping = SphereMapping::equirectangular;
   float rotation = 0;
   float exposure = 0;
 
@@ -27,14 +24,19 @@ struct EnvironmentLight {
   static constexpr auto parameters = std::tuple{
       parameter<&EnvironmentLight::radiance>("radiance", "W m⁻² sr⁻¹; multiplies the image", non_negative),
       parameter<&EnvironmentLight::file>("file",
-                                         "latitude-longitude image, +y up, relative to the scene file"),
+                                         "image over all directions, +y up, relative to the scene file"),
+      parameter<&EnvironmentLight::mapping>(
+          "mapping", "how it covers them: latitude-longitude, or the octahedral square of pbrt-v4"),
       parameter<&EnvironmentLight::rotation>("rotation", "about +y, degrees, counter-clockwise from above"),
       parameter<&EnvironmentLight::exposure>("exposure", "stops: multiplies all by 2^exposure",
                                              Range{-64, 64})};
 
   std::shared_ptr<const TextureImage> image = nullptr;  // what the reader loads where there is a file
+  // Takes world directions to the frame of the image (sphere_mapping.h), orthonormal, mirroring or not; takes the place of
+  // `rotation`. For readers of formats whose environments turn about any axis.
+  std::optional<Mat3> image_from_world = std::nullopt;
 
-  // Must be called once `image` is there.
+  // Must be called once all of the above is there.
   void prepare();
   Spectrum emitted(const Vec3& direction) const;  // unit, away from the viewer
   std::optional<LightSample> sample(const Vec2& u) const;
@@ -42,11 +44,9 @@ struct EnvironmentLight {
   double power(double scene_radius) const;
 
  private:
-  Vec2 uv_of(const Vec3& direction) const;
-
-  std::shared_ptr<const Distribution2D> texels_ = nullptr;  // none for a constant
-  double mean_luminance_ = 0;
-  float factor_ = 1;  // 2^exposure
+  std::shared_ptr<const SphereDistribution> directions_ = nullptr;  // none for a constant
+  Mat3 to_image_{1};
+  Spectrum factor_ = grey(1);  // radiance · 2^exposure
 };
 
 }  // namespace umbral

@@ -3,16 +3,14 @@
 
 namespace umbral {
 
-Spectrum GoniometricLight::intensity_towards(const Vec3& direction) const {
+Mat3 GoniometricLight::to_image() const {
+  if (image_from_world) return *image_from_world;
   const Vec3 down = glm::normalize(axis), forward = glm::normalize(front - dot(front, down) * down);
-  const Vec3 right = cross(forward, down);
-  const float along = dot(direction, down), across = dot(direction, right), ahead = dot(direction, forward);
-  const float u = std::atan2(across, ahead) / two_pi + 0.5f;
-  const float half_texel = 0.5f / static_cast<float>(image->height());
-  const float v = std::atan2(std::hypot(across, ahead), along) * inverse_pi;
-  // The image repeats around the axis but ends at the poles.
-  const Spectrum value = image->bilinear({u, glm::clamp(v, half_texel, 1 - half_texel)}, Wrap::repeat);
-  return intensity * value * rgb(1, 1, 1);
+  return transpose(Mat3(cross(forward, down), -down, -forward));
+}
+
+Spectrum GoniometricLight::intensity_towards(const Vec3& direction) const {
+  return intensity * seen_along(*image, mapping, to_image() * direction) * rgb(1, 1, 1);
 }
 
 std::optional<LightSample> GoniometricLight::sample(const Vec3& p) const {
@@ -29,11 +27,14 @@ std::optional<LightSample> GoniometricLight::sample(const Vec3& p) const {
 double GoniometricLight::power() const {
   double sum = 0;
   const int width = image->width(), height = image->height();
-  for (int y = 0; y < height; ++y) {
-    const double sine = std::sin(pi_d * (y + 0.5) / height);
-    for (int x = 0; x < width; ++x) sum += luminance(intensity * image->texel(x, y)) * sine;
-  }
-  return sum * 2 * pi_d * pi_d / (static_cast<double>(width) * height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Vec2 middle((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                        (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
+      sum += static_cast<double>(luminance(intensity * image->texel(x, y)) *
+                                 stretch_at(mapping, direction_of(mapping, middle)));
+    }
+  return sum / (static_cast<double>(width) * height);
 }
 
 // The brightest texel, everywhere: lights with narrow beams are asked more often than they deserve.
