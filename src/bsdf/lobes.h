@@ -41,6 +41,14 @@ inline Spectrum albedo(const Lobes& lobes) {
 inline bool only_delta(const Lobes& lobes) {
   return std::visit([](const auto& lobe) { return lobe.only_delta(); }, lobes);
 }
+// Whether light may leave on the other side than it came from.
+inline bool transmits(const Lobes& lobes) {
+  return std::visit(
+      []<class Lobe>(const Lobe&) {
+        return requires { Lobe::transmits; };
+      },
+      lobes);
+}
 inline bool has_choice(const Lobes& lobes) {
   return std::visit([](const auto& lobe) { return lobe.has_choice(); }, lobes);
 }

@@ -47,12 +47,16 @@ Absorption beyond(const Lobes& lobe, const Vec3& wi, const Absorption& here) {
   return wi.z < 0 ? *inside : Absorption{};
 }
 
+// What lights are told of a vertex; wo is local. A lobe that does not transmit takes light from the side of wo alone.
+LightReceiver receiver_at(const Surface& surface, const Lobes& lobe, const Vec3& wo) {
+  return {surface.p, wo.z < 0 ? -surface.ng : surface.ng, !transmits(lobe)};
+}
+
 // Light that one sample of one light brings to a vertex, before the path's throughput; wo is local, `medium` is where
 // the path comes from.
 Spectrum direct(const PathIntegrator& settings, const Scene& scene, const Surface& surface, const Lobes& lobe,
-                const Vec3& wo, const Absorption& medium, Sampler& sampler) {
+                const Vec3& wo, const LightReceiver& receiver, const Absorption& medium, Sampler& sampler) {
   const Vec2 u = sampler.next2d();
-  const LightReceiver receiver{surface.p, surface.ng};
   const float u_light = scene.light_count() > 1 ? sampler.next1d() : 0.0f;
   const LightChoice choice = scene.choose_light(settings.light_choice, receiver, u_light);
   if (choice.light == LightId::none) return black;
@@ -118,8 +122,9 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     Lobes textured;
     const Lobes& lobe = scene.bsdf(surface, textured);
     const Vec3 wo = surface.shading.to_local(-ray.d);
+    const LightReceiver receiver = receiver_at(surface, lobe, wo);
     if (scene.light_count() > 0 && !only_delta(lobe))
-      add(throughput * direct(*this, scene, surface, lobe, wo, medium, sampler), bounces + 1);
+      add(throughput * direct(*this, scene, surface, lobe, wo, receiver, medium, sampler), bounces + 1);
 
     const Vec2 u = sampler.next2d();
     const float u_lobe = has_choice(lobe) ? sampler.next1d() : 0.0f;
@@ -135,7 +140,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
       throughput /= survival;
     }
     if (!same_side(wo, sample->wi)) medium = beyond(lobe, sample->wi, medium);
-    arrival = {sample->pdf, sample->delta, {surface.p, surface.ng}};
+    arrival = {sample->pdf, sample->delta, receiver};
     ray.o = surface.origin_towards(wi);
     ray.d = wi;
   }

@@ -131,35 +131,60 @@ TEST(SphereCone, KeepsItsDigits) {
   }
 }
 
-// Flux through a small sphere around the receiver is what the light subtends: the mean of 1/pdf where every sample
-// arrives. Inside a sphere and on the plane of a rectangle the samples by area take over.
+// What a light subtends is the mean of 1/pdf where every sample arrives.
+void expect_subtends(const Scene& scene, const Vec3& p, double solid_angle) {
+  double sum = 0;
+  for (int i = 0; i < grid * grid; ++i) {
+    const auto sample = scene.sample_light(light, LightReceiver{p, {0, 0, 1}}, grid_point(i));
+    if (!sample) continue;
+    ASSERT_TRUE(is_finite(sample->wi) && std::isfinite(sample->pdf) && sample->pdf > 0);
+    ASSERT_NEAR(glm::length(sample->wi), 1, 1e-5);
+    sum += 1 / static_cast<double>(sample->pdf) / (grid * grid);
+  }
+  EXPECT_NEAR(sum, solid_angle, 5e-3 * solid_angle + 1e-9 * std::min(solid_angle, 1.0))
+      << p.x << " " << p.y << " " << p.z;
+}
+
+double square_solid_angle(const Vec3d& p) {
+  const Vec3d a(-1, -1, 0), b(1, -1, 0), c(1, 1, 0), d(-1, 1, 0);
+  return triangle_solid_angle(p, a, b, c) + triangle_solid_angle(p, a, c, d);
+}
+
+// Inside a sphere and on the plane of a rectangle the samples by area take over.
 TEST(AreaLight, InHardPlacesGivesFiniteSamplesAndNoLightFromItsBack) {
-  Random random(6);
-  const auto check = [&](const Scene& scene, const Vec3& p, double solid_angle) {
-    double sum = 0;
-    for (int i = 0; i < grid * grid; ++i) {
-      const auto sample = scene.sample_light(light, LightReceiver{p, {0, 0, 1}}, grid_point(i));
-      if (!sample) continue;
-      ASSERT_TRUE(is_finite(sample->wi) && std::isfinite(sample->pdf) && sample->pdf > 0);
-      ASSERT_NEAR(glm::length(sample->wi), 1, 1e-5);
-      sum += 1 / static_cast<double>(sample->pdf) / (grid * grid);
-    }
-    EXPECT_NEAR(sum, solid_angle, 5e-3 * solid_angle + 1e-9) << p.x << " " << p.y << " " << p.z;
-  };
   SceneDescription ball = world_of(sphere({0, 0, 0}, 2), {}, false, grey(1));
   ball.shapes[0].two_sided = true;
   const Scene inside_of(std::move(ball));
-  for (const float x : {0.0f, 0.5f, 1.5f}) check(inside_of, {x, 0, 0}, 4 * pi_d);
-  check(inside_of, {2e6f, 0, 0}, pi_d * 1e-12);
-  check(inside_of, {4, 0, 0}, 2 * pi_d * (1 - std::sqrt(0.75)));
+  for (const float x : {0.0f, 0.5f, 1.5f}) expect_subtends(inside_of, {x, 0, 0}, 4 * pi_d);
+  expect_subtends(inside_of, {2e6f, 0, 0}, pi_d * 1e-12);
+  expect_subtends(inside_of, {4, 0, 0}, 2 * pi_d * (1 - std::sqrt(0.75)));
 
   const Scene panel(world_of(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), {}, false, grey(1)));
-  for (const float z : {0.0f, -0.1f, -5.0f}) check(panel, {0.3f, 0.2f, z}, 0);
-  check(panel, {3, 0, 0}, 0);
-  for (const float z : {0.01f, 0.3f, 1.0f, 1.9f, 2.1f, 50.0f}) {
-    const Vec3d p(0.3f, 0.2f, z), a(-1, -1, 0), b(1, -1, 0), c(1, 1, 0), d(-1, 1, 0);
-    check(panel, Vec3(p), triangle_solid_angle(p, a, b, c) + triangle_solid_angle(p, a, c, d));
+  for (const float z : {0.0f, -0.1f, -5.0f}) expect_subtends(panel, {0.3f, 0.2f, z}, 0);
+  expect_subtends(panel, {3, 0, 0}, 0);
+  for (const float z : {0.01f, 0.3f, 1.0f, 1.9f, 2.1f, 50.0f})
+    expect_subtends(panel, {0.3f, 0.2f, z}, square_solid_angle({0.3f, 0.2f, z}));
+  expect_subtends(panel, {0, 0, 2e6f}, 1e-12);
+}
+
+// A square cut into two halves, strips of a millionth and faces without area, in any order.
+TEST(AreaLight, WithNeedlesAndFacesWithoutAreaKeepsItsFlux) {
+  Mesh mesh;
+  const float cuts[] = {-1, -1 + 1e-6f, -1 + 2e-6f, 0.1f, 0.1f, 1};
+  for (const float x : cuts) {
+    mesh.positions.push_back({x, -1, 0});
+    mesh.positions.push_back({x, 1, 0});
   }
+  for (unsigned i = 0; i + 2 < mesh.positions.size(); i += 2) {
+    mesh.triangles.push_back({i, i + 2, i + 1});
+    mesh.triangles.push_back({i, i, i + 1});
+    mesh.triangles.push_back({i + 1, i + 2, i + 3});
+  }
+  const Scene scene(world_of(mesh, {}, false, grey(1)));
+  for (const float z : {0.1f, 0.5f, 1.8f, 30.0f})
+    expect_subtends(scene, {0.3f, 0.2f, z}, square_solid_angle({0.3f, 0.2f, z}));
+  expect_subtends(scene, {0.3f, 0.2f, -1}, 0);
+  expect_subtends(scene, {-1, 0.2f, 0}, 0);
 }
 
 // A mesh all around: its triangles are chosen by the tree and sampled by solid angle, and must give 4π.

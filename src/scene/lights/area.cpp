@@ -74,21 +74,6 @@ void AreaLight::prepare_rectangle(const Rectangle& r) {
   near_distance2_ = is_rectangular ? static_cast<float>(near_areas * area_) : 0;
 }
 
-// A point that an instance has moved is made from the numbers of its object and of the move, large as its own may not
-// be.
-float AreaLight::placed_error() const {
-  if (emitter_.instance == no_index) return 0;
-  Vec3d reach(0);  // of the piece; group space
-  if (analytic_) {
-    const Bounds bounds = std::visit([](const auto& shape) { return shape.bounds(); }, analytic_->shape);
-    reach = analytic_->to_group.magnitude(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
-  } else {
-    for (const Vertex& vertex : mesh_->vertices) reach = glm::max(reach, Vec3d(glm::abs(vertex.p)));
-  }
-  return surface_error(
-      max_component(Vec3(geometry_->instances[emitter_.instance].to_world.magnitude(reach))));
-}
-
 Vec3d AreaLight::world(const Vec3& p) const { return to_world_.point(Vec3d(p)); }
 
 AreaLight::Point AreaLight::rectangle_point(const Vec2& u) const {
@@ -305,26 +290,6 @@ float AreaLight::opacity_at(const TexturePoint& point) const { return material_-
 Spectrum AreaLight::emitted(const Surface& surface, const Vec3& wo) const {
   if (dot(wo, surface.ng) <= 0 && !emitter_.two_sided) return black;
   return emission_at(surface.at);
-}
-
-double AreaLight::power() const {
-  // Means over a grid of samples: exact for constant emission and even stretch; else it only weighs the choice.
-  constexpr int grid = 16;
-  double sum = 0;
-  for (int y = 0; y < grid; ++y)
-    for (int x = 0; x < grid; ++x) {
-      const Vec2 u{(static_cast<float>(x) + 0.5f) / grid, (static_cast<float>(y) + 0.5f) / grid};
-      const Point q = point(u);
-      sum += (luminance(emission_at(q.at)) * opacity_at(q.at) + least_emission()) / q.pdf;
-    }
-  return sum / (grid * grid) * pi_d * (emitter_.two_sided ? 2 : 1);
-}
-
-// A small share of a texture's brightest value: a light whose bright spots fall between the grid's samples must
-// still be chosen now and then.
-float AreaLight::least_emission() const {
-  if (emitter_.emission.is_constant()) return 0;
-  return 0.01f * luminance((*textures_)[index_of(emitter_.emission.map)].color_bounds().high);
 }
 
 }  // namespace umbral

@@ -1,4 +1,4 @@
-// Where an area light is and which way it faces, for the light tree.
+// What is to be known of an area light as a whole: where it is, which way it faces, how strong it is.
 #include "core/warp.h"
 #include "scene/lights/area.h"
 
@@ -72,6 +72,41 @@ LightBounds AreaLight::triangle_bounds(std::uint32_t triangle) const {
   const TexturePoint middle = mesh_->texture_point(triangle, Vec2(1.0f / 3), needs_);
   bounds.intensity = length / 2 * (luminance(emission_at(middle)) * opacity_at(middle) + least_emission());
   return bounds;
+}
+
+// A point that an instance has moved is made from the numbers of its object and of the move, large as its own may not
+// be.
+float AreaLight::placed_error() const {
+  if (emitter_.instance == no_index) return 0;
+  Vec3d reach(0);  // of the piece; group space
+  if (analytic_) {
+    const Bounds bounds = std::visit([](const auto& shape) { return shape.bounds(); }, analytic_->shape);
+    reach = analytic_->to_group.magnitude(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
+  } else {
+    for (const Vertex& vertex : mesh_->vertices) reach = glm::max(reach, Vec3d(glm::abs(vertex.p)));
+  }
+  return surface_error(
+      max_component(Vec3(geometry_->instances[emitter_.instance].to_world.magnitude(reach))));
+}
+
+double AreaLight::power() const {
+  // Means over a grid of samples: exact for constant emission and even stretch; else it only weighs the choice.
+  constexpr int grid = 16;
+  double sum = 0;
+  for (int y = 0; y < grid; ++y)
+    for (int x = 0; x < grid; ++x) {
+      const Vec2 u{(static_cast<float>(x) + 0.5f) / grid, (static_cast<float>(y) + 0.5f) / grid};
+      const Point q = point(u);
+      sum += (luminance(emission_at(q.at)) * opacity_at(q.at) + least_emission()) / q.pdf;
+    }
+  return sum / (grid * grid) * pi_d * (emitter_.two_sided ? 2 : 1);
+}
+
+// A small share of a texture's brightest value: a light whose bright spots fall between the grid's samples must
+// still be chosen now and then.
+float AreaLight::least_emission() const {
+  if (emitter_.emission.is_constant()) return 0;
+  return 0.01f * luminance((*textures_)[index_of(emitter_.emission.map)].color_bounds().high);
 }
 
 }  // namespace umbral
