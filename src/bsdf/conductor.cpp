@@ -10,6 +10,18 @@ namespace {
 
 Ggx ggx_of(const Conductor& lobe) { return Ggx::of_roughness(lobe.roughness, lobe.anisotropy); }
 
+bool is_turned(const Conductor& lobe) { return lobe.anisotropy != 0 && lobe.anisotropy_rotation != 0; }
+
+// On the side z ≥ 0, in the frame along which the highlight is stretched.
+Vec3 to_facets(const Conductor& lobe, const Vec3& w) {
+  const Vec3 above = on_side_of(w, w);
+  return is_turned(lobe) ? turned(above, lobe.anisotropy_rotation) : above;
+}
+// Back to the side of wo.
+Vec3 from_facets(const Conductor& lobe, const Vec3& w, const Vec3& wo) {
+  return on_side_of(is_turned(lobe) ? turned(w, -lobe.anisotropy_rotation) : w, wo);
+}
+
 bool has_index(const Conductor& lobe) {
   return lobe.metal != Metal::none || !is_black(lobe.eta) || !is_black(lobe.k);
 }
@@ -40,7 +52,7 @@ Spectrum Conductor::fresnel_average() const {
 Spectrum Conductor::f_cos(const Vec3& wo, const Vec3& wi) const {
   if (!same_side(wo, wi) || only_delta()) return black;
   const Ggx ggx = ggx_of(*this);
-  const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  const Vec3 o = to_facets(*this, wo), i = to_facets(*this, wi);
   const Vec3 sum = o + i;
   const float length = glm::length(sum);
   Spectrum f = black;
@@ -56,20 +68,20 @@ Spectrum Conductor::f_cos(const Vec3& wo, const Vec3& wi) const {
 float Conductor::pdf(const Vec3& wo, const Vec3& wi) const {
   if (!same_side(wo, wi) || only_delta()) return 0;
   const Ggx ggx = ggx_of(*this);
-  const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  const Vec3 o = to_facets(*this, wo), i = to_facets(*this, wi);
   const float more = ggx_loss(ggx, o);
   return (1 - more) * ggx.reflection_pdf(o, i) + more * lossy_direction_pdf(i.z, sqr(roughness));
 }
 
 std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float u1, const Vec2& u2) const {
-  const Vec3 o = on_side_of(wo, wo);
+  const Vec3 o = to_facets(*this, wo);
   if (only_delta()) return BsdfSample{{-wo.x, -wo.y, wo.z}, fresnel(o.z), 0, true};
   const Ggx ggx = ggx_of(*this);
   if (u1 < ggx_loss(ggx, o))
-    return sample_at(*this, wo, on_side_of(sample_lossy_direction(u2, sqr(roughness)), wo));
+    return sample_at(*this, wo, from_facets(*this, sample_lossy_direction(u2, sqr(roughness)), wo));
   const Vec3 wi = reflected(o, ggx.sample_visible_normal(o, u2));
   if (wi.z <= 0) return std::nullopt;
-  return sample_at(*this, wo, on_side_of(wi, wo));
+  return sample_at(*this, wo, from_facets(*this, wi, wo));
 }
 
 BlinnPhongCoefficients Conductor::local_model() const {

@@ -24,8 +24,8 @@ struct Conductor {
   float film_eta = 1.3f;
   float film_thickness = 0;
   float film_share = 1;  // the part of it that the film is on; no parameter of this kind
-  float anisotropy =
-      0;  // alpha is roughness² (1 ± anisotropy) along x and y; no parameter before frames follow uv
+  float anisotropy = 0;
+  float anisotropy_rotation = 0;
 
   static constexpr const char* kind = "conductor";
   static constexpr const char* doc = "a metal, polished or rough (GGX); by its name, complex index or colour";
@@ -38,6 +38,11 @@ struct Conductor {
                                  Range{0, 100}),
       parameter<&Conductor::k>("k", "imaginary part of the index", Range{0, 100}),
       parameter<&Conductor::roughness>("roughness", "square root of GGX's alpha; 0 is a mirror", zero_to_one),
+      parameter<&Conductor::anisotropy>(
+          "anisotropy", "alpha is roughness² (1 ± anisotropy) along u and across it: brushed metal",
+          zero_to_one),
+      parameter<&Conductor::anisotropy_rotation>(
+          "anisotropy_rotation", "of the direction along u, degrees, counter-clockwise", Range{0, 360}),
       parameter<&Conductor::film_eta>("film_eta", "index of a thin film on it, as oxide on steel",
                                       Range{1, 10}),
       parameter<&Conductor::film_thickness>("film_thickness", "of that film, nm; 0 is none", Range{0, 1e4f})};

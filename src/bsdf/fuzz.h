@@ -19,6 +19,13 @@ struct Fuzz {
   // f |cos θi|; directions with z ≥ 0.
   float f_cos(const Vec3& o, const Vec3& i) const;
 
+  // Fuzz reflects so widely that directions are drawn evenly over the hemisphere.
+  static Vec3 sample(const Vec2& u) {
+    const float r = safe_sqrt((1 - u.x) * (1 + u.x)), phi = two_pi * u.y;
+    return {r * std::cos(phi), r * std::sin(phi), u.x};
+  }
+  static constexpr float sample_pdf() { return 1 / two_pi; }
+
   // E: the share of light from an angle that it reflects (within 0.003), and the mean over the hemisphere.
   float albedo(float cos_theta) const;
   float average_albedo() const;

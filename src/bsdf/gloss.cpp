@@ -5,11 +5,6 @@
 
 namespace umbral {
 
-float skin_probability(const Spectrum& skin, const Spectrum& body) {
-  const float reflected = luminance(skin), beneath = luminance((white - skin) * body);
-  return reflected + beneath > 0 ? reflected / (reflected + beneath) : 0.5f;
-}
-
 Spectrum Gloss::f_cos(const Vec3& wo, const Vec3& wi) const {
   if (!same_side(wo, wi)) return black;
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);

@@ -18,7 +18,4 @@ struct Gloss {
   Spectrum albedo(float cos_theta) const;
 };
 
-// The chance to sample a skin, in proportion to what it reflects, but never all of it while there is a body.
-float skin_probability(const Spectrum& skin, const Spectrum& body);
-
 }  // namespace umbral

@@ -5,6 +5,7 @@
 
 #include "bsdf/absorption.h"
 #include "bsdf/blinn_phong.h"
+#include "bsdf/coat.h"
 #include "bsdf/conductor.h"
 #include "bsdf/dielectric.h"
 #include "bsdf/diffuse_transmission.h"
@@ -12,12 +13,13 @@
 #include "bsdf/mirror.h"
 #include "bsdf/plastic.h"
 #include "bsdf/principled.h"
+#include "bsdf/sheen.h"
 #include "bsdf/thin_dielectric.h"
 
 namespace umbral {
 
 using Lobes = std::variant<Lambert, BlinnPhong, Mirror, Dielectric, Conductor, Plastic, ThinDielectric,
-                           DiffuseTransmission, Principled>;
+                           DiffuseTransmission, Principled, Sheen, Coat>;
 
 template <class... T>
 constexpr bool all_are_bsdf_models(std::variant<T...>*) {

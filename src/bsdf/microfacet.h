@@ -69,6 +69,12 @@ struct Ggx {
   float exponent() const { return glm::clamp(2 / (alpha_x * alpha_y) - 2, 0.0f, 1e6f); }
 };
 
+// `w` in the frame that is turned by the angle (degrees, counter-clockwise) about z.
+inline Vec3 turned(const Vec3& w, float degrees) {
+  const float angle = degrees * (pi / 180), c = std::cos(angle), s = std::sin(angle);
+  return {c * w.x + s * w.y, c * w.y - s * w.x, w.z};
+}
+
 // `w` mirrored at the facet with normal h.
 inline Vec3 reflected(const Vec3& w, const Vec3& h) { return 2 * dot(w, h) * h - w; }
 

@@ -117,10 +117,6 @@ Chances chances_of(const Principled& p, const Vec3& wo, const Layers& over) {
 }
 
 // Directions in the frame along which highlights stretch.
-Vec3 turned(const Vec3& w, float degrees) {
-  const float angle = degrees * (pi / 180), c = std::cos(angle), s = std::sin(angle);
-  return {c * w.x + s * w.y, c * w.y - s * w.x, w.z};
-}
 bool is_turned(const Principled& p) { return p.anisotropy != 0 && p.anisotropy_rotation != 0; }
 Vec3 to_stretch(const Principled& p, const Vec3& w) {
   return is_turned(p) ? turned(w, p.anisotropy_rotation) : w;
@@ -183,7 +179,7 @@ float Principled::pdf(const Vec3& wo, const Vec3& wi) const {
   density *= chances.parts;
   if (!same_side(wo, wi) || over.cos_theta == 0) return density;
   if (chances.coat > 0) density += chances.coat * coat_of(*this).pdf(on_side_of(wo, wo), on_side_of(wi, wi));
-  return density + chances.sheen / two_pi;
+  return density + chances.sheen * Fuzz::sample_pdf();
 }
 
 std::optional<BsdfSample> Principled::sample(const Vec3& wo, float u1, const Vec2& u2) const {
@@ -202,8 +198,7 @@ std::optional<BsdfSample> Principled::sample(const Vec3& wo, float u1, const Vec
     return wi ? sample_at(*this, wo, on_side_of(*wi, wo)) : std::nullopt;
   }
   if (falls_in(chances.sheen, u)) {
-    const float r = safe_sqrt(1 - sqr(u2.x)), phi = two_pi * u2.y;
-    return sample_at(*this, wo, on_side_of({r * std::cos(phi), r * std::sin(phi), u2.x}, wo));
+    return sample_at(*this, wo, on_side_of(Fuzz::sample(u2), wo));
   }
   std::optional<BsdfSample> drawn;
   float factor = 0;

@@ -58,4 +58,9 @@ Spectrum body_f_cos(const Spectrum& reflectance, const Spectrum& skin_o, const S
   return reflectance * through * (inverse_pi * cos_i);
 }
 
+float skin_probability(const Spectrum& skin, const Spectrum& body) {
+  const float from_skin = luminance(skin), beneath = luminance((white - skin) * body);
+  return from_skin + beneath > 0 ? from_skin / (from_skin + beneath) : 0.5f;
+}
+
 }  // namespace umbral

@@ -31,4 +31,7 @@ struct Skin {
 Spectrum body_f_cos(const Spectrum& reflectance, const Spectrum& skin_o, const Spectrum& skin_i,
                     const Spectrum& skin_average, float cos_i);
 
+// The chance to sample a skin, in proportion to what it reflects, but never all of it while there is a body.
+float skin_probability(const Spectrum& skin, const Spectrum& body);
+
 }  // namespace umbral

@@ -90,6 +90,10 @@ template <>
 inline constexpr double albedo_excess<Plastic> = 3e-3;
 template <>
 inline constexpr double albedo_excess<Principled> = 0.01;
+template <>
+inline constexpr double albedo_excess<Coat> = 0.01;
+template <>
+inline constexpr double albedo_excess<Sheen> = 0.01;
 
 /// The unit vector with this z and azimuth (radians).
 inline Vec3 direction_at(double z, double phi) {

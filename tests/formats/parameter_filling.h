@@ -63,8 +63,9 @@ class ParameterFiller final : public ParameterVisitor {
     (*this)(info, value.value);
   }
   void choice(const ParameterInfo& info, int& index, std::span<const char* const> names) override {
-    index = static_cast<int>(names.size()) - 1;
-    add(info, fmt::format("\"{}\"", names.back()));
+    // A metal by its name leaves nothing to the other parameters.
+    index = std::string_view(info.name) == "metal" ? 0 : static_cast<int>(names.size()) - 1;
+    add(info, fmt::format("\"{}\"", names[static_cast<std::size_t>(index)]));
   }
 
  private:

@@ -117,6 +117,12 @@ TEST(TomlValues, MaterialsOfEveryKind) {
   }
 }
 
+TEST(TomlValues, MetalsByTheirNames) {
+  const SceneFolder folder;
+  const SceneFile file = folder.read_toml(scene_with_material("conductor", "metal = \"Cu\"\n"));
+  EXPECT_EQ(std::get<Conductor>(file.scene.materials.at(0).lobe).metal, Metal::Cu);
+}
+
 // The texture in that parameter, if it is one that every material has.
 std::optional<TextureId> common_map(const Material& material, const std::string& name) {
   if (name == "alpha") return material.alpha.map;

@@ -123,6 +123,13 @@ void SceneReader::check_detail(TableReader& table, const Material& material) con
   const auto blame = [&](const char* key, const char* message) {
     if (table.has(key)) context_.error(*table.find_entry(key), message);
   };
+  const auto* conductor = std::get_if<Conductor>(&material.lobe);
+  if (conductor && conductor->metal != Metal::none)
+    for (const char* key : {"reflectance", "edge_tint", "eta", "k"})
+      blame(key, "'metal' tells the index of a conductor: no other colour has an effect beside it");
+  const auto* coat = std::get_if<Coat>(&material.lobe);
+  if (coat && coat->metal != Metal::none)
+    blame("reflectance", "'metal' tells the index of the metal: its 'reflectance' has no effect");
   if (material.alpha_mode != AlphaMode::mask)
     blame("alpha_cutoff", "'alpha_cutoff' has no effect unless alpha_mode is \"mask\"");
   if (!table.has("normal_map")) blame("normal_scale", "'normal_scale' has no effect without 'normal_map'");

@@ -1,0 +1,95 @@
+// What the tables of rough surfaces' albedos share: their coordinates, and quadrature over facets and hemispheres.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+
+#include "bsdf/microfacet.h"
+#include "bsdf/table_cell.h"
+
+namespace umbral {
+
+// Rows of tables are at even steps of the root of alpha.
+inline float alpha_of_row(int row, int rows) { return std::max(sqr(node(row, rows)), Ggx::smallest_alpha); }
+inline Cell row_of_alpha(float alpha, int rows) { return cell_of(std::sqrt(alpha), rows); }
+
+// E changes with angle on the scale cos θ ≈ alpha, however small alpha is, and steeply towards the horizon: in these
+// coordinates it is about as smooth everywhere.
+inline float angle_coordinate(float cos_theta, float alpha) {
+  return std::sqrt(cos_theta * (1 + alpha) / (cos_theta + alpha));
+}
+inline float cos_of_coordinate(float x, float alpha) { return x * x * alpha / (1 + alpha - x * x); }
+
+inline Vec3 direction(float cos_theta, float phi) {
+  const float sine = safe_sqrt((1 - cos_theta) * (1 + cos_theta));
+  return {sine * std::cos(phi), sine * std::sin(phi), cos_theta};
+}
+
+// The weight G₂/G₁ of a direction drawn by a visible normal.
+inline float bounce_weight(const Ggx& ggx, const Vec3& wo, const Vec3& wi) {
+  const float zi = std::abs(wi.z), zo = wo.z;
+  return zi * (zo + ggx.spread(wo)) / (zo * ggx.spread(wi) + zi * ggx.spread(wo));
+}
+
+inline constexpr float smallest_cos = 1e-6f;  // E is continuous at the horizon
+
+// Mean of f(visible normal) over its distribution: midpoints, of which those of u.y crowd where normals are flat, as
+// light gets lost there.
+template <int flat, int round, class F>
+auto mean_over_normals(const Ggx& ggx, const Vec3& wo, F&& f) {
+  decltype(f(wo)) sum(0);
+  double weights = 0;
+  for (int j = 0; j < flat; ++j) {
+    const float v = (static_cast<float>(j) + 0.5f) / flat;
+    const double weight = sqr(1 - v);
+    decltype(f(wo)) ring(0);
+    for (int i = 0; i < round; ++i)
+      ring += f(
+          ggx.sample_visible_normal(wo, {(static_cast<float>(i) + 0.5f) / round, 1 - sqr(1 - v) * (1 - v)}));
+    sum += ring * weight;
+    weights += round * weight;
+  }
+  return sum / weights;
+}
+
+// 2 ∫ f(cos θ) cos θ d cos θ by Simpson's rule over x, cos θ = x².
+template <class F>
+float hemisphere_average(F&& f) {
+  constexpr int steps = 256;
+  double sum = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const float x = static_cast<float>(i) / steps;
+    sum += (i == steps ? 1 : (i % 2 == 1 ? 4 : 2)) * 4.0 * x * x * x * f(x * x);
+  }
+  return static_cast<float>(sum / (3 * steps));
+}
+
+// Mean losses go with a power of the roughness near the fourth: between nodes the root is interpolated.
+inline float fourth_root(float x) { return std::sqrt(std::sqrt(std::max(0.0f, x))); }
+inline float fourth_power(float x) { return sqr(sqr(x)); }
+
+// Tables at even steps of a coordinate, each made when it is first asked for.
+template <class Table, int count>
+class Tables {
+ public:
+  // get(Table) → T at x in [0, 1], with mix(T, T, float) between two tables; make(x) → Table.
+  template <class Get, class Mix, class Make>
+  auto interpolated(float x, Get&& get, Mix&& mix, Make&& make) {
+    const Cell cell = cell_of(x, count);
+    const auto low = get(table(cell.i, make));
+    return cell.t == 0 ? low : mix(low, get(table(cell.i + 1, make)), cell.t);
+  }
+
+ private:
+  template <class Make>
+  const Table& table(int i, Make&& make) {
+    std::call_once(made_[i], [&] { tables_[i] = std::make_unique<Table>(make(node(i, count))); });
+    return *tables_[i];
+  }
+
+  std::array<std::once_flag, count> made_;
+  std::array<std::unique_ptr<Table>, count> tables_;
+};
+
+}  // namespace umbral
