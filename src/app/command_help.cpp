@@ -95,7 +95,7 @@ void print_topic(const Topic& topic) {
   for (const ParameterText& parameter : topic.parameters) {
     const std::string range = range_text(parameter.info.range);
     const std::string value = parameter.info.required ? "required" : "default " + parameter.value;
-    fmt::print("  {:<16} {}\n  {:<16} {}{}{}\n", parameter.info.name, parameter.info.doc, "", parameter.type,
+    fmt::print("  {:<21} {}\n  {:<21} {}{}{}\n", parameter.info.name, parameter.info.doc, "", parameter.type,
                range.empty() ? "" : ", " + range, parameter.value.empty() ? "" : ", " + value);
   }
 }
