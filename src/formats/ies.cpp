@@ -149,7 +149,7 @@ TextureImage luminaire_image(std::string text, const std::string& name) {
   TexelGrid<Float4> grid(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const double turn = 180 - (x + 0.5) * 360 / width;
+      const double turn = (x + 0.5) * 360 / width - 180;
       const double value =
           candela_at(photometry, (y + 0.5) * 180 / height, turn < 0 ? turn + 360 : turn) / lumens_per_watt;
       grid.set(x, y, Spectrum(Vec3(static_cast<float>(value)), 1));

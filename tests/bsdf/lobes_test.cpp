@@ -223,7 +223,7 @@ TYPED_TEST(EveryLobe, StaysFiniteAtTheEndsOfEveryRange) {
         EXPECT_TRUE(is_finite(f_cos) && min_component(f_cos) >= 0)
             << text_of(lobe, wo) << ", z of wi = " << wi.z;
         EXPECT_TRUE(std::isfinite(pdf) && pdf >= 0) << text_of(lobe, wo) << ", z of wi = " << wi.z;
-        if (wo.z * wi.z <= 0 && !transmits<TypeParam>) {
+        if (wo.z * wi.z <= 0 && !test::transmits<TypeParam>) {
           EXPECT_EQ(pdf, 0);
           EXPECT_TRUE(is_black(f_cos));
         }

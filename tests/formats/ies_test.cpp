@@ -94,8 +94,9 @@ TEST(Ies, SaysWhatIsWrong) {
 TEST(Ies, IsTheImageOfAGoniometricLight) {
   const SceneFolder folder;
   folder.write("lamp.ies", file_of("0 180", "0", "179 179", 2, 1));
-  const SceneFile file =
-      folder.read_toml("[[lights]]\ntype = \"goniometric\"\nfile = \"lamp.ies\"\nintensity = 2\n");
+  const SceneFile file = folder.read_toml(
+      "[[shapes]]\ntype = \"sphere\"\nemission = 1\n[[lights]]\ntype = \"goniometric\"\nfile = "
+      "\"lamp.ies\"\nintensity = 2\n");
   EXPECT_NEAR(std::get<GoniometricLight>(file.scene.lights.at(0)).power(), 8 * pi_d, 1e-2);
 }
 

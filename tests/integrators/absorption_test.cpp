@@ -26,7 +26,7 @@ Dielectric stained(float eta) {
 // A slab across the z axis, and white light all around.
 SceneDescription slab(const Lobes& lobe) {
   SceneDescription scene;
-  add_shape(scene, box({-50, -50, 0}, {50, 50, thickness}), add_material(scene, lobe));
+  add_shape(scene, box({-8, -8, 0}, {8, 8, thickness}), add_material(scene, lobe));
   scene.environment.emplace();
   scene.environment->radiance = white;
   scene.environment->prepare();
