@@ -12,8 +12,10 @@
 #include "app/progress_bar.h"
 #include "app/render_report.h"
 #include "app/replay.h"
+#include "app/view_arguments.h"
 #include "core/names.h"
 #include "core/parallel.h"
+#include "formats/model_file.h"
 #include "image/atomic_file.h"
 #include "image/film_file.h"
 #include "image/png.h"
@@ -31,6 +33,7 @@ struct Arguments {
   std::vector<int> crop, pixel;
   std::optional<double> seconds;
   std::string target_error;
+  ViewArguments view;
   double exposure = 0;
   ReadOptions read;
   bool quiet = false, statistics = false, json = false, layers = false, auxiliary = false,
@@ -144,6 +147,7 @@ int command(const Arguments& arguments) {
   if (arguments.threads > 0) threads.emplace(arguments.threads);
   LoadedScene loaded = load_scene(arguments.scene, arguments.read);
   if (!arguments.environment.empty()) replace_environment(loaded.file, arguments.environment);
+  apply_view(arguments.view, loaded.file);
   const std::string kind = chosen_integrator(arguments, loaded);
   Integrator& integrator = loaded.integrator(kind);
   const RenderJob job{arguments.scene,
@@ -172,7 +176,7 @@ int command(const Arguments& arguments) {
 }
 
 void add_options(CLI::App& render, Arguments& a) {
-  render.add_option("scene", a.scene, "a .toml, .pbrt or Mitsuba .xml scene, or an .obj or .ply model")
+  render.add_option("scene", a.scene, "a .toml, .pbrt or Mitsuba .xml scene, or a model: " + model_endings())
       ->required();
   render.add_option("-o,--output", a.output,
                     "the EXR to write, a PNG beside it; default: the scene's name, here");
@@ -192,6 +196,7 @@ void add_options(CLI::App& render, Arguments& a) {
   render.add_option("--threads", a.threads, "default: all")->check(CLI::Range(1, 4096));
   render.add_option("--env", a.environment, "a latitude-longitude image as the environment");
   add_read_options(render, a.read);
+  add_view_options(render, a.view);
   render.add_option("--exposure", a.exposure, "stops, of the PNG alone")->check(number_above(-infinity));
   render.add_flag("--layers", a.layers, "the integrator's layers as channels of their own");
   render.add_flag("--aux", a.auxiliary, "albedo, N and Z as channels of their own");

@@ -13,20 +13,15 @@
 #include "formats/toml/scene_reader.h"
 
 namespace umbral {
-namespace {
 
-// As many pixels as before, in the shape that the camera asks for.
-void take_aspect(const NamedCamera& camera, FilmSettings& film) {
-  if (!(camera.aspect > 0)) return;
+void take_aspect(float aspect, FilmSettings& film) {
   const double pixels = static_cast<double>(film.width) * film.height;
   const auto side = [&](double ratio) {
-    return std::clamp(static_cast<int>(std::lround(std::sqrt(pixels * ratio))), 1, 65536);
+    return static_cast<int>(std::lround(std::clamp(std::sqrt(pixels * ratio), 1.0, 65536.0)));
   };
-  film.width = side(static_cast<double>(camera.aspect));
-  film.height = side(1 / static_cast<double>(camera.aspect));
+  film.width = side(static_cast<double>(aspect));
+  film.height = side(1 / static_cast<double>(aspect));
 }
-
-}  // namespace
 
 SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKinds& integrators,
                           const ReadOptions& options) {
@@ -52,7 +47,8 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
       diagnostics.error(place, "the name of a scene file must end in .toml, .pbrt, .xml, " + model_endings());
     else
       add_model(builder, path, place, Affine{}, {}, builder.world);
-    if (!builder.cameras.empty()) take_aspect(builder.cameras.front(), result.film);
+    if (!builder.cameras.empty() && builder.cameras.front().aspect > 0)
+      take_aspect(builder.cameras.front().aspect, result.film);
   }
   const bool empty = builder.world.shapes.empty() && builder.instances.empty() && !builder.environment;
   if (kind != FileKind::toml && empty && !diagnostics.has_errors())

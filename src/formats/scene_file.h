@@ -36,6 +36,9 @@ struct SceneFile {
   std::uint64_t hash = 0;             // of the bytes of the file and of every file it names
 };
 
+// Gives the image as many pixels as before, in the shape that a camera asks for; aspect: width over height, above 0.
+void take_aspect(float aspect, FilmSettings& film);
+
 // Reads a .toml scene, a .pbrt scene of pbrt-v4, an .xml scene of Mitsuba, or a file of another kind (model_file.h) as a
 // scene by itself: framed by an automatic camera where it has none and lit by an environment where it has no light,
 // both told in the warnings. Throws SceneError with

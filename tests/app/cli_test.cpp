@@ -55,6 +55,28 @@ intensity = 40
   fs::path folder_;
 };
 
+TEST_F(Cli, AnotherViewThanTheScenesOwn) {
+  std::ofstream(folder_ / "two.gltf") << R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1, 2]}],
+    "nodes": [{"mesh": 0}, {"camera": 0, "name": "front", "translation": [0, 0, 3]},
+              {"camera": 0, "name": "behind", "translation": [0, 0, -3]}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 1, "aspectRatio": 4}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  const std::string render = "render two.gltf --quiet --spp 1 --aux --pixel 512,128 ";
+  const Outcome front = run(render);
+  EXPECT_EQ(front.exit_code, 0) << front.text;
+  EXPECT_NE(run(render + "--camera behind").text, front.text);  // sees nothing but the environment
+  EXPECT_EQ(run(render + "--camera front --fov 28.64789").text, front.text);
+  EXPECT_NE(run(render + "--look-at 9,9,9").text, front.text);
+  EXPECT_TRUE(has(run(render + "--camera fron"), "there is no camera 'fron'; did you mean 'front'?"));
+  EXPECT_TRUE(has(run(render + "--look-at 0,0,3"), "there is no direction to look in"));
+  EXPECT_TRUE(has(run(render + "--up 0,0,1"), "give another --up"));
+  EXPECT_TRUE(has(run(render + "--fov 180"), "--fov must be below 180"));
+  EXPECT_NE(run(render + "--look-at 1,2").exit_code, 0);
+}
+
 TEST_F(Cli, RendersBothFilesAndSaysHowExactTheyAre) {
   const Outcome outcome = run("render room.toml");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;

@@ -1,6 +1,7 @@
 // Broken input never crashes: it loads or is refused with located errors.
 #include <random>
 
+#include "gltf_kit.h"
 #include "scene_folder.h"
 
 namespace umbral {
@@ -98,6 +99,45 @@ std::string ply_scene(bool binary) {
   return text.append(reinterpret_cast<const char*>(indices), sizeof(indices));
 }
 
+// With instances, a sparse accessor, a skin, a morph target, a texture in a buffer and one in a file, a light, a camera.
+test::GltfSquare gltf_square() {
+  test::GltfSquare square(
+      R"(, {"buffer": 0, "byteOffset": 140, "byteLength": 1}, {"buffer": 0, "byteOffset": 144, "byteLength": 12},
+         {"buffer": 0, "byteOffset": 156, "byteLength": 82}, {"buffer": 0, "byteOffset": 240, "byteLength": 16})",
+      R"(, {"componentType": 5126, "count": 4, "type": "VEC3", "sparse": {"count": 1,
+           "indices": {"bufferView": 4, "componentType": 5121}, "values": {"bufferView": 5}}},
+         {"bufferView": 7, "componentType": 5121, "normalized": true, "count": 4, "type": "VEC4"})");
+  square.bytes.add<std::uint8_t>({2});
+  square.bytes.add<float>({0.5f, 0, 1});
+  const std::string image = test::tga(4, 4, 10, 20, 30, 40);
+  square.bytes.add(std::vector<char>(image.begin(), image.end()));
+  square.bytes.add<std::uint8_t>({255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0});
+  return square;
+}
+
+const char* gltf_rest =
+    R"(, "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2, "COLOR_0": 5},
+      "indices": 3, "material": 0, "targets": [{"POSITION": 4}]}]}],
+      "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [1, 2, 3], "children": [2]}, {"mesh": 0, "weights": [0.5],
+        "rotation": [0, 1, 0, 0], "scale": [-1, 2, 1]}, {"camera": 0, "translation": [0, 0, 5]},
+        {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+      "scenes": [{"nodes": [0, 1, 3, 4]}], "scene": 0,
+      "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.1}}],
+      "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.6, 0.7, 1], "metallicFactor": 0.5,
+        "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform": {"scale": [2, 3]}}}},
+        "normalTexture": {"index": 1}, "emissiveFactor": [1, 1, 0], "alphaMode": "MASK",
+        "extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.5}}}],
+      "textures": [{"source": 0, "sampler": 0}, {"source": 1}], "samplers": [{"wrapS": 33071, "magFilter": 9728}],
+      "images": [{"bufferView": 6, "mimeType": "image/tga"}, {"uri": "t.tga"}],
+      "extensionsUsed": ["KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_clearcoat"],
+      "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}}]}})";
+
+std::string stl_scene() {
+  return "solid\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 5\n   vertex 1e0 0 5\n   vertex 0 1 5\n  "
+         "endloop\n"
+         " endfacet\nendsolid\n";
+}
+
 struct Sample {
   const char* file;   // that is broken
   const char* scene;  // that is read
@@ -112,6 +152,9 @@ std::vector<Sample> samples() {
           {"scene.xml", "scene.xml", mitsuba_scene},
           {"a.ply", "a.ply", ply_scene(false)},
           {"b.ply", "b.ply", ply_scene(true)},
+          {"a.stl", "a.stl", stl_scene()},
+          {"a.gltf", "a.gltf", test::gltf(gltf_square().bytes.bytes(), gltf_square().parts + gltf_rest)},
+          {"a.glb", "a.glb", test::glb(gltf_square().bytes.bytes(), gltf_square().parts + gltf_rest)},
           {"t.tga", "m.obj", test::tga(4, 4, 10, 20, 30, 40)}};
 }
 
@@ -173,6 +216,49 @@ TEST(BrokenFiles, WithBytesChangedAtRandom) {
       loads(folder, sample.scene);
     }
     folder.write(sample.file, sample.bytes);
+  }
+}
+
+// Numbers, names and brackets of the JSON are exchanged for others, so that it stays JSON more often than by chance.
+TEST(BrokenFiles, GltfWithValuesExchanged) {
+  const FolderWithAll folder;
+  const std::string text = test::gltf(gltf_square().bytes.bytes(), gltf_square().parts + gltf_rest);
+  const std::size_t begin = text.find("bufferViews");
+  std::mt19937 random(1);
+  const std::vector<std::string> values{"0",  "1",  "-1",   "4294967295", "1e300", "2.5",
+                                        "{}", "[]", "null", "\"\"",       "true"};
+  int loaded = 0;
+  for (int trial = 0; trial < 1500; ++trial) {
+    std::string changed = text;
+    const std::size_t at = begin + random() % (text.size() - begin);
+    const std::size_t digit = changed.find_first_of("0123456789", at);
+    if (digit == std::string::npos) continue;
+    const std::size_t end = changed.find_first_not_of("0123456789.", digit);
+    changed.replace(digit, end - digit, values[random() % values.size()]);
+    folder.write("a.gltf", changed);
+    loaded += loads(folder, "a.gltf") ? 1 : 0;
+  }
+  EXPECT_GT(loaded, 150);
+  EXPECT_LT(loaded, 1350);
+}
+
+TEST(BrokenFiles, SharedGltfFilesCutAnywhere) {
+  const auto folder = test::shared_scene("gltf-structure");
+  if (!folder) GTEST_SKIP() << test::no_shared_scenes;
+  const SceneFolder own;
+  for (const char* file :
+       {"BoxInterleaved/glTF/BoxInterleaved.gltf", "SimpleSparseAccessor/glTF/SimpleSparseAccessor.gltf"}) {
+    std::filesystem::create_directories(own.path("x"));
+    for (const auto& beside : std::filesystem::directory_iterator((*folder / file).parent_path()))
+      std::filesystem::copy_file(beside.path(), own.path(beside.path().filename()),
+                                 std::filesystem::copy_options::overwrite_existing);
+    std::ifstream in(*folder / file, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+    EXPECT_TRUE(loads(own, std::filesystem::path(file).filename()));
+    for (std::size_t size = 0; size + 10 < bytes.size(); size += 10) {
+      own.write("cut.gltf", bytes.substr(0, size));
+      EXPECT_FALSE(loads(own, "cut.gltf")) << size;
+    }
   }
 }
 

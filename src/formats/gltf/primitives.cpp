@@ -27,6 +27,8 @@ class PrimitiveReader {
     if (!pose_.joints.empty()) skin();
     for (Vec3& normal : mesh_.normals) normal = glm::normalize(normal);  // clean() mends those of length 0
     mesh_.uvs = texture_coordinates("TEXCOORD_0");
+    mesh_.uvs1 = texture_coordinates("TEXCOORD_1");
+    read_colors();
     return std::move(mesh_);
   }
 
@@ -61,6 +63,7 @@ class PrimitiveReader {
 
   void skin();
   void read_indices();
+  void read_colors();
 
   const Document& document_;
   const Primitive& primitive_;
@@ -89,6 +92,17 @@ void PrimitiveReader::skin() {
     if (!mesh_.normals.empty())
       mesh_.normals[i] = Vec3(glm::transpose(glm::inverse(moved[i].linear)) * Vec3d(mesh_.normals[i]));
   }
+}
+
+void PrimitiveReader::read_colors() {
+  const Accessor* accessor = attribute("COLOR_0");
+  if (!accessor) return;
+  if (accessor->type == "VEC4") {
+    mesh_.colors = read_vectors<glm::vec4>(document_, *accessor);
+  } else {
+    for (const Vec3& color : read_vectors<Vec3>(document_, *accessor)) mesh_.colors.emplace_back(color, 1.0f);
+  }
+  for (Spectrum& color : mesh_.colors) color = glm::clamp(color, 0.0f, 1.0f);
 }
 
 void PrimitiveReader::read_indices() {

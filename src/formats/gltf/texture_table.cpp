@@ -78,7 +78,9 @@ std::optional<TextureId> TextureTable::texture(const TextureInfo& info, const Te
   ImageTexture texture;
   texture.image = image(source, use.space);
   if (!texture.image) return std::nullopt;
-  texture.file = document_[source].uri;
+  std::string fault;
+  if (const auto uri = parse_uri(document_[source].uri, fault); uri && !uri->is_data)
+    texture.file = (folder_ / uri->file).lexically_normal().string();
   texture.channel = use.channel;
   texture.color_space = use.space;
   texture.factor = use.factor;
@@ -88,8 +90,11 @@ std::optional<TextureId> TextureTable::texture(const TextureInfo& info, const Te
   if (sampler.wrap_s != sampler.wrap_t) report_.warning(path, "its texture is wrapped in t as it is in s");
   if (sampler.mag_filter == 9728) texture.filter = TextureFilter::nearest;
   if (info.transform) place(texture, *info.transform);
+  const Whole set = info.transform ? info.transform->tex_coord.value_or(info.tex_coord) : info.tex_coord;
+  if (set > 1) report_.warning(path, fmt::format("TEXCOORD_{} is not used: TEXCOORD_0 is", set));
+  texture.uv_set = set == 1 ? 1 : 0;
   Texture result{data.name, std::move(texture)};
-  result.prepare();
+  result.prepare(builder_.textures);
   return builder_.add(std::move(result));
 }
 

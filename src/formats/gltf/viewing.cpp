@@ -24,6 +24,12 @@ void add_light(const PunctualLight& light, const Affine& to_world, SceneBuilder&
                      static_cast<float>(light.color[2]));
   const Vec3 position(to_world.offset);
   const auto towards = direction(to_world, {0, 0, -1});
+  constexpr double lumens_per_watt = 683;  // as exporters count that turn watts into photometric units
+  if (light.intensity >= lumens_per_watt)
+    report.warning(path,
+                   fmt::format("'{}' has an intensity of {:.4g}: the unit may be watts times 683; --exposure "
+                               "-9.4 then gives a picture of the usual brightness",
+                               light.name, light.intensity));
   if (light.range) report.warning(path, "'range' is not used: light falls off with the square of distance");
   if (light.type == "point") {
     builder.lights.emplace_back(PointLight{position, color});

@@ -1,0 +1,34 @@
+// MaterialMaps: factors times textures times vertex colours, as the parameters of a glTF material are written.
+#pragma once
+
+#include "formats/gltf/texture_table.h"
+#include "scene/ids.h"
+
+namespace umbral::gltf {
+
+class MaterialMaps {
+ public:
+  // `path` is the material's. `vertex_colors`: the mesh has colours, which multiply what is painted.
+  MaterialMaps(SceneBuilder& builder, TextureTable& textures, bool vertex_colors, std::string path)
+      : builder_(builder), textures_(textures), vertex_colors_(vertex_colors), path_(std::move(path)) {}
+
+  // factor × texture (sRGB).
+  Textured<Spectrum> color(const Rgb& factor, const TextureSlot& slot);
+  // The same, times the colour of the vertices; and its opacity.
+  Textured<Spectrum> painted(const Rgb& factor, const TextureSlot& slot);
+  Textured<float> painted_alpha(double factor, const TextureSlot& slot);
+  // factor × one channel of a texture (linear) + bias.
+  Textured<float> number(double factor, const TextureSlot& slot, TextureChannel channel, double bias = 0);
+  std::optional<TextureId> image(const TextureInfo& info, const TextureUse& use);
+
+ private:
+  TextureId product(TextureId texture, const Textured<Spectrum>& scale);
+  TextureId vertex_color(TextureChannel channel);
+
+  SceneBuilder& builder_;
+  TextureTable& textures_;
+  bool vertex_colors_;
+  std::string path_;
+};
+
+}  // namespace umbral::gltf
