@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
   int exit_code = umbral::exit_success;
   umbral::add_render_command(app, exit_code);
   umbral::add_check_command(app, exit_code);
+  umbral::add_convert_command(app, exit_code);
   umbral::add_info_command(app, exit_code);
   umbral::add_merge_command(app, exit_code);
   umbral::add_compare_command(app, exit_code);

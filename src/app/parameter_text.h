@@ -34,9 +34,10 @@ class ParameterTexts : public ParameterVisitor {
 
   const std::vector<ParameterText>& texts() const { return texts_; }
 
- private:
+ protected:
   void add(const ParameterInfo& info, std::string type, std::string value);
 
+ private:
   std::vector<ParameterText> texts_;
 };
 

@@ -12,9 +12,10 @@ std::string text(const Vec3& v) { return fmt::format("[{:.5g}, {:.5g}, {:.5g}]",
 
 bool has_light(const SceneBuilder& scene) {
   if (scene.environment || !scene.lights.empty()) return true;
+  // A texture that shines is a label or a screen: pictures to be seen, not lamps.
   const auto shines = [](const ShapeList& list) {
     return std::any_of(list.shapes.begin(), list.shapes.end(),
-                       [](const Shape& shape) { return shape.emits(); });
+                       [](const Shape& shape) { return shape.emits() && shape.emission.is_constant(); });
   };
   return shines(scene.world) ||
          std::any_of(scene.instances.begin(), scene.instances.end(),
@@ -34,6 +35,27 @@ CameraSettings framing_camera(const Bounds& bounds, double aspect) {
   return camera;
 }
 
+EnvironmentLight neutral_sky() {
+  constexpr int width = 128, height = 64;
+  const Vec3 brightest = glm::normalize(Vec3(-0.5f, 0.7f, 0.6f));
+  TexelGrid<Float4> texels(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float elevation = ((static_cast<float>(y) + 0.5f) / height - 0.5f) * pi;
+      const float azimuth = ((static_cast<float>(x) + 0.5f) / width - 0.5f) * two_pi;  // from −z towards +x
+      const Vec3 direction(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                           -std::cos(elevation) * std::cos(azimuth));
+      const float sky = glm::mix(0.25f, 0.6f, glm::smoothstep(-0.1f, 0.1f, direction.y)) + 0.2f * direction.y;
+      const float window = 5 * std::exp(30 * (dot(direction, brightest) - 1));
+      const float radiance = sky + window;
+      texels.set(x, y, {radiance, radiance, radiance, 1});
+    }
+  EnvironmentLight sky;
+  sky.image = std::make_shared<TextureImage>(std::move(texels));
+  sky.prepare();
+  return sky;
+}
+
 void complete_scene(SceneBuilder& scene, double aspect, bool light, const Place& place) {
   const Bounds bounds = bounds_of(scene);
   if (!scene.has_camera && !is_empty(bounds)) {
@@ -42,9 +64,9 @@ void complete_scene(SceneBuilder& scene, double aspect, bool light, const Place&
                                                  text(scene.camera.position), text(scene.camera.look_at)));
   }
   if (light && !has_light(scene)) {
-    scene.environment = EnvironmentLight{};
-    scene.environment->prepare();
-    scene.diagnostics.warning(place, "no light is given; a white environment lights the scene");
+    scene.environment = neutral_sky();
+    scene.diagnostics.warning(place,
+                              "no light is given; a grey sky, brightest above to the left, lights the scene");
   }
 }
 

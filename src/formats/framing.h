@@ -9,8 +9,11 @@ namespace umbral {
 // over height.
 CameraSettings framing_camera(const Bounds& bounds, double aspect);
 
-// Gives the scene that camera if it has none of its own, and a constant white environment if `light` is set
-// and it has no light; both are told as warnings at `place`.
+// Light for models that bring none: grey, dark below the horizon, with a wide window above to the left in front, so that
+// shapes and gloss can be told.
+EnvironmentLight neutral_sky();
+
+// Gives the scene that camera if it has none of its own, and that sky if `light` is set and it has no light; both are told as warnings at `place`.
 void complete_scene(SceneBuilder& scene, double aspect, bool light, const Place& place);
 
 }  // namespace umbral

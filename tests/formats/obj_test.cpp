@@ -193,8 +193,9 @@ TEST(Obj, GetsACameraAndALightWhereItHasNone) {
   EXPECT_EQ(dark.scene.camera.look_at, Vec3(0.5f, 0.5f, 0));
   EXPECT_GT(dark.scene.camera.position.z, 1);
   EXPECT_EQ(dark.integrator, "path");
-  EXPECT_TRUE(contains(folder.warnings(dark),
-                       "m.obj: warning: no light is given; a white environment lights the scene\n"));
+  EXPECT_TRUE(contains(
+      folder.warnings(dark),
+      "m.obj: warning: no light is given; a grey sky, brightest above to the left, lights the scene\n"));
   EXPECT_TRUE(
       contains(folder.warnings(dark), "m.obj: warning: no camera is given; it is put at [0.5, 0.5, "));
   folder.write("m.mtl", "newmtl lamp\nKe 5 5 5\n");

@@ -78,7 +78,9 @@ std::optional<TextureId> TextureTable::texture(const TextureInfo& info, const Te
   ImageTexture texture;
   texture.image = image(source, use.space);
   if (!texture.image) return std::nullopt;
-  texture.file = document_[source].uri;
+  std::string fault;
+  if (const auto uri = parse_uri(document_[source].uri, fault); uri && !uri->is_data)
+    texture.file = (folder_ / uri->file).lexically_normal().string();
   texture.channel = use.channel;
   texture.color_space = use.space;
   texture.factor = use.factor;

@@ -11,12 +11,13 @@
 namespace umbral {
 namespace {
 
-// Where a value of a vertex goes: 0 … 2 position, 3 … 5 normal, 6 and 7 uv, 8 … 11 colour and alpha.
-constexpr std::size_t slots = 12, no_slot = slots;
+// Where a value of a vertex goes: 0 … 2 position, 3 … 5 normal, 6 and 7 uv, 8 … 11 colour and alpha, 12 and 13 a
+// second uv.
+constexpr std::size_t slots = 14, no_slot = slots;
 
 std::size_t slot_of(const std::string& property) {
-  static constexpr std::array<const char*, slots> names{"x", "y", "z",   "nx",    "ny",   "nz",
-                                                        "u", "v", "red", "green", "blue", "alpha"};
+  static constexpr std::array<const char*, slots> names{"x", "y",   "z",     "nx",   "ny",    "nz", "u",
+                                                        "v", "red", "green", "blue", "alpha", "u1", "v1"};
   static constexpr std::array<std::array<const char*, 2>, 3> other_uvs{
       {{"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
   static constexpr std::array<std::array<const char*, 3>, 2> other_colors{
@@ -97,7 +98,7 @@ void BodyReader<Values>::read_vertices(const PlyElement& element) {
     if (targets.back() != no_slot) has[targets.back()] = true;
   }
   if (!has[0] || !has[1] || !has[2]) values_.fail("the vertices have no x, y and z");
-  const bool normals = has[3] && has[4] && has[5], uvs = has[6] && has[7];
+  const bool normals = has[3] && has[4] && has[5], uvs = has[6] && has[7], uvs1 = has[12] && has[13];
   const bool colors = has[8] && has[9] && has[10];
   PlyType color_type = PlyType::float32;
   for (std::size_t k = 0; k < targets.size(); ++k)
@@ -118,6 +119,7 @@ void BodyReader<Values>::read_vertices(const PlyElement& element) {
     if (!is_finite(mesh_.positions.back())) values_.fail(fmt::format("vertex {} is not finite", i));
     if (normals) mesh_.normals.push_back({v[3], v[4], v[5]});
     if (uvs) mesh_.uvs.push_back({v[6], v[7]});
+    if (uvs1) mesh_.uvs1.push_back({v[12], v[13]});
     if (colors) mesh_.colors.push_back(color_of(v, is_code(color_type), has[11], most));
   }
 }

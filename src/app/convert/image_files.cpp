@@ -1,0 +1,63 @@
+// Images of a converted scene: found again on disk, or written.
+#include "app/convert/image_files.h"
+
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "image/exr.h"
+
+namespace umbral {
+namespace {
+
+// Linear floats hold the texels of every kind of image to the bit.
+void write_texels(const std::string& path, const TextureImage& image) {
+  ExrImage exr;
+  exr.width = exr.x1 = image.width();
+  exr.height = exr.y1 = image.height();
+  for (const char* name : {"R", "G", "B", "A"}) exr.channels.push_back({name, {}});
+  for (int y = image.height() - 1; y >= 0; --y)
+    for (int x = 0; x < image.width(); ++x) {
+      const Spectrum texel = image.texel(x, y);
+      for (int c = 0; c < 4; ++c) exr.channels[static_cast<std::size_t>(c)].pixels.push_back(texel[c]);
+    }
+  write_exr(path, exr);
+}
+
+}  // namespace
+
+bool ImageFiles::is_that(const std::filesystem::path& file, ColorSpace space,
+                         const TextureImage& image) const {
+  std::error_code absent;
+  if (!std::filesystem::is_regular_file(file, absent)) return false;
+  try {
+    std::vector<std::string> repairs;
+    const TextureImage read = load_texture_image(file.string(), space, repairs);
+    if (read.width() != image.width() || read.height() != image.height()) return false;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (read.texel(x, y) != image.texel(x, y)) return false;
+    return true;
+  } catch (const SceneError&) {
+    return false;
+  }
+}
+
+ImageFiles::Place ImageFiles::place_of(const std::shared_ptr<const TextureImage>& image,
+                                       const std::string& name, ColorSpace space) {
+  const auto known = places_.find(image.get());
+  if (known != places_.end()) return known->second;
+  if (!name.empty())
+    for (const std::filesystem::path& candidate : {source_ / name, std::filesystem::path(name)})
+      if (is_that(candidate, space, *image)) {
+        const std::string file = std::filesystem::relative(candidate, folder_).generic_string();
+        return places_.emplace(image.get(), Place{file, space}).first->second;
+      }
+  std::filesystem::create_directories(folder_ / assets_);
+  const std::filesystem::path file = assets_ / fmt::format("image-{}.exr", places_.size());
+  write_texels((folder_ / file).string(), *image);
+  return places_.emplace(image.get(), Place{file.generic_string(), ColorSpace::linear}).first->second;
+}
+
+}  // namespace umbral
