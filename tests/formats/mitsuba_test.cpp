@@ -142,6 +142,20 @@ TEST(Mitsuba, MaterialsBecomeLobes) {
   EXPECT_EQ(std::get<Lambert>(material_of(file, 9).lobe).reflectance, grey(0.5f));
 }
 
+TEST(Mitsuba, PrincipledIsReadAsTheOneHere) {
+  const MitsubaFolder folder;
+  const SceneFile file = folder.read_xml(
+      sphere_of("principled'><rgb name='base_color' value='.8 .2 .1'/><float name='metallic' value='.25'/>"
+                "<float name='roughness' value='.3'/><float name='clearcoat' value='1'/>"));
+  const Principled& lobe = std::get<Principled>(material_of(file, 0).lobe);
+  EXPECT_EQ(lobe.base_color, rgb(.8f, .2f, .1f));
+  EXPECT_FLOAT_EQ(lobe.metallic, .25f);
+  EXPECT_FLOAT_EQ(lobe.roughness, .3f);
+  EXPECT_FLOAT_EQ(lobe.clearcoat, 1);
+  EXPECT_NEAR(lobe.ior, 1.5, 1e-3) << "specular 0.5 is a reflectance of 0.04";
+  EXPECT_TRUE(contains(folder.warnings(file), "stands in for Mitsuba's"));
+}
+
 // The albedo of the body alone: ρ (1 − K)/(1 − ρK) of the file's ρ without the ρ in the denominator.
 TEST(Mitsuba, LinearPlasticsReflectAsMuchAsTheyDoThere) {
   const MitsubaFolder folder;

@@ -215,6 +215,20 @@ TEST(Pbrt, MaterialsBecomeLobes) {
   expect_color(sheet.transmittance, rgb(.2f, .1f, .05f));
 }
 
+TEST(Pbrt, MediaThatAbsorbFillGlass) {
+  const SceneFolder folder;
+  const SceneFile file =
+      read(folder,
+           "MakeNamedMedium \"green\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ .5 .2 .4 ]"
+           " \"rgb sigma_s\" [ 0 0 0 ] \"float scale\" 2\n"
+           "AttributeBegin MediumInterface \"green\" \"\" Material \"dielectric\" Shape \"sphere\""
+           " AttributeEnd Material \"dielectric\" Shape \"sphere\"");
+  const Dielectric& filled = std::get<Dielectric>(lobe_of(file, 0));
+  const Absorption absorption = Absorption::of_color(filled.attenuation_color, filled.attenuation_distance);
+  expect_color(absorption.sigma, rgb(1, .4f, .8f));
+  EXPECT_EQ(std::get<Dielectric>(lobe_of(file, 1)).attenuation_distance, infinity);
+}
+
 TEST(Pbrt, TexturesAndOpacity) {
   const SceneFolder folder;
   folder.write("leaf.tga", test::tga(2, 2, 255, 255, 255, 255));
@@ -397,7 +411,9 @@ TEST(Pbrt, WhatIsNotSupportedIsRefusedOrLeftOut) {
   const std::string refused = errors(folder, text);
   EXPECT_TRUE(contains(refused, "scene.pbrt:3:1: error: not supported: a shape of type 'curve'; --lenient"))
       << refused;
-  EXPECT_TRUE(contains(refused, "scene.pbrt:4:1: error: not supported: the medium 'fog'")) << refused;
+  EXPECT_TRUE(contains(refused,
+                       "scene.pbrt:4:1: error: not supported: the medium 'fog', which does more than absorb"))
+      << refused;
   test::StandInSettings settings;
   ReadOptions lenient;
   lenient.lenient = true;

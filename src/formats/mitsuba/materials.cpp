@@ -46,6 +46,8 @@ Materials::Draft Materials::draft(const Element& bsdf) {
     result.material.back = BackSide::same;
   } else if (type == "mask") {
     result = mask(properties);
+  } else if (type == "principled") {
+    result = principled(properties);
   } else if (type == "normalmap") {
     result = normal_map(properties);
   } else if (type == "bumpmap") {
@@ -172,6 +174,40 @@ Materials::Draft Materials::thin_dielectric(const Properties& properties) {
   lobe.eta = relative_index(builder_, properties, "bk7");
   untinted(properties, {"specular_reflectance", "specular_transmittance"});
   return {with_lobe(lobe)};
+}
+
+// Both come from Disney's; what they do not share is told.
+Materials::Draft Materials::principled(const Properties& properties) {
+  Principled lobe;
+  // R₀ = 0.08 specular, or by the index itself.
+  const double r0 = std::sqrt(0.08 * glm::clamp(properties.number("specular", 0.5), 0.0, 1.0));
+  lobe.ior = static_cast<float>(properties.number("eta", (1 + r0) / (1 - r0)));
+  lobe.sheen_roughness = 0.5f;
+  const auto gloss = static_cast<float>(properties.number("clearcoat_gloss", 0));
+  // Disney's alpha runs from 0.1 to 0.001.
+  lobe.clearcoat_roughness = std::sqrt(glm::mix(0.1f, 0.001f, glm::clamp(gloss, 0.0f, 1.0f)));
+  if (!(lobe.ior >= 1 && lobe.ior <= 10)) {
+    builder_.lacks(properties.place(), fmt::format("an index of refraction of {:.4g}", lobe.ior));
+    lobe.ior = 1.5f;
+  }
+  Draft result{with_lobe(lobe)};
+  if (!properties.has("spec_trans")) result.material.back = BackSide::absorbing;
+  const Textured<Spectrum> base = textures_.surface(properties, "base_color", grey(0.5f));
+  const float sheen = textures_.number(properties, "sheen", 0).value;
+  set_parameters<Spectrum>(result.material, {{"base_color", base}, {"sheen_color", {grey(sheen)}}});
+  set_parameters<float>(result.material, {{"metallic", textures_.number(properties, "metallic", 0)},
+                                          {"roughness", textures_.number(properties, "roughness", 0.5f)},
+                                          {"transmission", textures_.number(properties, "spec_trans", 0)},
+                                          {"anisotropy", textures_.number(properties, "anisotropic", 0)},
+                                          {"clearcoat", textures_.number(properties, "clearcoat", 0)}});
+  for (const char* name : {"flatness", "spec_tint", "sheen_tint"})
+    if (textures_.number(properties, name, 0).value != 0) properties.lacks(name, fmt::format("'{}'", name));
+  properties.ignore(
+      {"diffuse_reflectance_sampling_rate", "specular_sampling_rate", "clearcoat_sampling_rate"});
+  builder_.diagnostics.warning(
+      properties.place(),
+      "umbral's principled stands in for Mitsuba's: body, coat and sheen look a little different");
+  return result;
 }
 
 Materials::Draft Materials::mask(const Properties& properties) {

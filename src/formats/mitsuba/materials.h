@@ -31,6 +31,7 @@ class Materials {
   Draft dielectric(const Properties& properties, bool rough);
   Draft thin_dielectric(const Properties& properties);
   Draft mask(const Properties& properties);
+  Draft principled(const Properties& properties);
   Draft normal_map(const Properties& properties);
   Draft bump_map(const Properties& properties);
   float roughness(const Properties& properties);

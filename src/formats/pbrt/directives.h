@@ -19,6 +19,7 @@ struct GraphicsState {
   bool reversed = false;
   MaterialHandle material;
   AreaLight light;
+  std::shared_ptr<const Medium> inside = nullptr;
   std::map<std::string, Parameters> defaults = {};  // by what they are for: "shape", "light", …
 };
 
@@ -86,6 +87,7 @@ class Directives {
   void named_material(const Token&);
   void make_named_medium(const Token&);
   void medium_interface(const Token&);
+  std::shared_ptr<const Medium> medium(const std::string& name, const Place& place);
   void light_source(const Token&);
   void area_light_source(const Token&);
   void shape(const Token&);
@@ -110,6 +112,7 @@ class Directives {
   std::vector<std::pair<char, GraphicsState>> saved_;
   std::map<std::string, Affine> systems_;
   std::map<std::string, ObjectId> objects_;
+  std::map<std::string, Parameters> media_;
   std::optional<std::size_t> open_object_;  // in builder_.objects
 };
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/names.h"
+#include "formats/pbrt/colors.h"
 #include "formats/pbrt/directives.h"
 
 namespace umbral::pbrt_file {
@@ -30,15 +31,41 @@ void Directives::named_material(const Token& at) {
 
 // Only one that something lies in matters.
 void Directives::make_named_medium(const Token& at) {
-  text();
-  parameters(at, "medium");
+  const std::string name = text();
+  media_.insert_or_assign(name, parameters(at, "medium"));
+}
+
+// One that absorbs and does not scatter fills clear bodies; others are told.
+std::shared_ptr<const Medium> Directives::medium(const std::string& name, const Place& place) {
+  const auto found = media_.find(name);
+  if (found == media_.end()) {
+    builder_.diagnostics.error(place, fmt::format("there is no medium '{}'", name));
+    return nullptr;
+  }
+  const Parameters& given = found->second;
+  const auto rgb_of = [&](const char* coefficient) -> std::optional<Spectrum> {
+    const Parameter* parameter = given.find(coefficient);
+    if (!parameter || parameter->type != "rgb") return std::nullopt;
+    return unbounded(builder_, given, coefficient);
+  };
+  const std::optional<Spectrum> absorbed = rgb_of("sigma_a"), scattered = rgb_of("sigma_s");
+  given.ignore({"g", "type", "scale", "preset", "Le", "Lescale"});
+  if (given.text("type", "") != "homogeneous" || given.has("preset") || given.has("Le") || !absorbed ||
+      !scattered || !is_black(*scattered)) {
+    builder_.lacks(place, fmt::format("the medium '{}', which does more than absorb", name));
+    return nullptr;
+  }
+  given.report_unknown("medium");
+  const auto scale = static_cast<float>(given.number("scale", 1));
+  return std::make_shared<const Medium>(Medium{name, {*absorbed * scale}});
 }
 
 void Directives::medium_interface(const Token& at) {
+  const Place place = tokens_->place(at);
   const std::string inside = text();
   const std::string outside = tokens_->peek().kind == Token::Kind::string ? text() : inside;
-  if (!inside.empty() || !outside.empty())
-    builder_.lacks(tokens_->place(at), fmt::format("the medium '{}'", inside.empty() ? outside : inside));
+  if (!outside.empty()) builder_.lacks(place, fmt::format("the medium '{}' around things", outside));
+  state_.inside = inside.empty() ? nullptr : medium(inside, place);
 }
 
 void Directives::light_source(const Token& at) {
@@ -55,7 +82,7 @@ void Directives::shape(const Token& at) {
   const std::string kind = text();
   const Parameters given = parameters(at, "shape");
   if (!in_world_) fail(at, "shapes must stand after WorldBegin");
-  Surroundings around{state_.to_world, state_.reversed, state_.material, state_.light};
+  Surroundings around{state_.to_world, state_.reversed, state_.material, state_.light, state_.inside};
   ShapeList& shapes = open_object_ ? builder_.objects[*open_object_].content : builder_.world;
   if (open_object_ && !around.light.is_dark()) {
     around.light = {};

@@ -55,10 +55,26 @@ MaterialHandle Materials::find(const Place& place, const std::string& name) cons
   return standard_;
 }
 
-MaterialId Materials::convert(const MaterialHandle& material, const Textured<float>& alpha) {
-  const auto [at, is_new] = material->converted.emplace(std::pair{alpha.value, alpha.map}, MaterialId::none);
+// Light enters clear bodies alone.
+void Materials::fill(Material& material, const Medium& medium, const Place& place) {
+  if (auto* glass = std::get_if<Dielectric>(&material.lobe)) {
+    const float most = max_component(medium.absorption.sigma);
+    if (!(most > 0)) return;
+    glass->attenuation_distance = 1 / most;
+    glass->attenuation_color = medium.absorption.transmittance(glass->attenuation_distance);
+  } else if (std::holds_alternative<ThinDielectric>(material.lobe) ||
+             std::holds_alternative<DiffuseTransmission>(material.lobe)) {
+    builder_.lacks(place, fmt::format("the medium '{}' behind a thin sheet", medium.name));
+  }
+}
+
+MaterialId Materials::convert(const MaterialHandle& material, const Textured<float>& alpha,
+                              const Medium* inside, const Place& place) {
+  const auto [at, is_new] = material->converted.emplace(
+      std::tuple{alpha.value, alpha.map, inside ? inside->name : std::string()}, MaterialId::none);
   if (!is_new) return at->second;
   Material converted = convert(*material);
+  if (inside) fill(converted, *inside, place);
   converted.name = material->name;
   converted.alpha = alpha;
   return at->second = builder_.add(std::move(converted), material->parameters.place());

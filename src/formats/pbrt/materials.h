@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include "formats/pbrt/textures.h"
 
@@ -14,9 +15,16 @@ struct MaterialDefinition {
   std::string name;  // empty for one without
   std::string kind;
   Parameters parameters;
-  std::map<std::pair<float, TextureId>, MaterialId> converted = {};  // by opacity
+  // By opacity and the name of the medium inside.
+  std::map<std::tuple<float, TextureId, std::string>, MaterialId> converted = {};
 };
 using MaterialHandle = std::shared_ptr<MaterialDefinition>;
+
+// What fills a body that light can enter.
+struct Medium {
+  std::string name;
+  Absorption absorption;
+};
 
 class Materials {
  public:
@@ -29,7 +37,9 @@ class Materials {
   // The standard one where there is none of that name, which is told.
   MaterialHandle find(const Place& place, const std::string& name) const;
 
-  MaterialId convert(const MaterialHandle& material, const Textured<float>& alpha);
+  // `inside` may be null; it is told at `place` where the material cannot hold it.
+  MaterialId convert(const MaterialHandle& material, const Textured<float>& alpha, const Medium* inside,
+                     const Place& place);
 
   // A surface that light does not see: it only bounds a medium.
   static bool is_interface(const MaterialDefinition& material) {
@@ -38,6 +48,7 @@ class Materials {
 
  private:
   Material convert(const MaterialDefinition& definition);
+  void fill(Material& material, const Medium& medium, const Place& place);
   void add_detail(const Parameters& parameters, Material& material);
   Material diffuse(const Parameters& parameters);
   Material coated_diffuse(const Parameters& parameters);

@@ -50,9 +50,13 @@ void Shapes::add(const std::string& kind, const Parameters& parameters, const Su
   if (Materials::is_interface(*around.material)) {
     // Light passes; a surface that shines is beyond that.
     if (!around.light.is_dark()) builder_.lacks(parameters.place(), "an emitter that light passes through");
+    if (around.inside)
+      builder_.lacks(parameters.place(),
+                     fmt::format("the medium '{}' without a surface", around.inside->name));
     return;
   }
-  Shape shape{"", std::move(*read), around.to_world, materials_.convert(around.material, alpha)};
+  Shape shape{"", std::move(*read), around.to_world,
+              materials_.convert(around.material, alpha, around.inside.get(), parameters.place())};
   if (around.reversed) reverse(shape, parameters, around.light);
   if (auto* mesh = std::get_if<Mesh>(&shape.kind)) {
     mesh->transform(shape.to_world);

@@ -14,6 +14,7 @@ struct Surroundings {
   bool reversed = false;
   MaterialHandle material;
   AreaLight light;
+  std::shared_ptr<const Medium> inside;
 };
 
 class Shapes {
