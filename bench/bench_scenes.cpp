@@ -35,7 +35,7 @@ float bump(float u, float v) {
 }
 
 // Of `texel` × `texel` blocks of one colour.
-std::shared_ptr<const TextureImage> noise_image(int size, int texel, std::uint64_t seed) {
+std::shared_ptr<TextureImage> noise_image(int size, int texel, std::uint64_t seed) {
   TexelGrid<Srgb8> texels(size, size);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
@@ -49,9 +49,20 @@ std::shared_ptr<const TextureImage> noise_image(int size, int texel, std::uint64
   return std::make_shared<TextureImage>(TextureImage::Texels(std::move(texels)));
 }
 
-MaterialId add_textured(SceneDescription& scene, int size, std::uint64_t seed) {
+MaterialId add_matte(SceneDescription& scene, float reflectance) {
+  Material material;
+  material.lobe = Lambert{grey(reflectance)};
+  scene.materials.push_back(material);
+  return static_cast<MaterialId>(scene.materials.size() - 1);
+}
+
+MaterialId add_textured(SceneDescription& scene, const BoxTextures& textures, std::uint64_t seed) {
+  if (textures.size == 0) return add_matte(scene, 0.4f);
+  const std::shared_ptr<TextureImage> texels = noise_image(textures.size, 4, seed);
+  if (textures.filter == TextureFilter::mip) texels->build_levels();
   ImageTexture image;
-  image.image = noise_image(size, 4, seed);
+  image.image = texels;
+  image.filter = textures.filter;
   image.uv_scale = {4, 4};
   scene.textures.push_back({"noise", image});
   scene.textures.back().prepare();
@@ -65,13 +76,6 @@ MaterialId add_textured(SceneDescription& scene, int size, std::uint64_t seed) {
   return static_cast<MaterialId>(scene.materials.size() - 1);
 }
 
-MaterialId add_matte(SceneDescription& scene, float reflectance) {
-  Material material;
-  material.lobe = Lambert{grey(reflectance)};
-  scene.materials.push_back(material);
-  return static_cast<MaterialId>(scene.materials.size() - 1);
-}
-
 void add(SceneDescription& scene, ShapeKinds kind, MaterialId material, const Spectrum& emission = black) {
   Shape shape;
   shape.kind = std::move(kind);
@@ -81,9 +85,9 @@ void add(SceneDescription& scene, ShapeKinds kind, MaterialId material, const Sp
 }
 
 // A room with two balls, each of its eight shapes a grid of cells × cells with a texture of its own.
-SceneDescription textured(int wall_cells, int ball_cells, float relief, int texture_size) {
+SceneDescription textured(int wall_cells, int ball_cells, float relief, const BoxTextures& textures) {
   SceneDescription scene;
-  const auto material = [&] { return add_textured(scene, texture_size, scene.shapes.size()); };
+  const auto material = [&] { return add_textured(scene, textures, scene.shapes.size()); };
   const auto wall = [&](const Vec3& origin, const Vec3& u, const Vec3& v) {
     const Vec3 n = glm::normalize(cross(u, v));
     const auto position = [&](float a, float b) { return origin + a * u + b * v + relief * bump(a, b) * n; };
@@ -117,10 +121,10 @@ SceneDescription cornell_box() {
   return std::move(load_scene(UMBRAL_SOURCE_DIR "/scenes/cornell-box/cornell-box.toml").file.scene);
 }
 
-SceneDescription textured_box() { return textured(1, 12, 0, 2048); }
+SceneDescription textured_box(const BoxTextures& textures) { return textured(1, 12, 0, textures); }
 
 // 8 grids of 2 · 354² triangles: two million.
-SceneDescription textured_room() { return textured(354, 354, 0.02f, 1024); }
+SceneDescription textured_room() { return textured(354, 354, 0.02f, {1448}); }
 
 SceneDescription instanced_field() {
   constexpr int cells = 224;  // 2 · 224² = 100 352 triangles

@@ -8,10 +8,16 @@ namespace umbral::bench {
 // The Cornell box of scenes/cornell-box.
 SceneDescription cornell_box();
 
-// A room like a box, of few triangles, with two balls and a 2048² image texture on each of the eight shapes.
-SceneDescription textured_box();
+// On each of the eight shapes of the room below; a size of 0 for one grey instead.
+struct BoxTextures {
+  int size = 2048;
+  TextureFilter filter = TextureFilter::bilinear;
+};
 
-// The same room with walls and balls that are displaced grids of two million triangles in all, and textures of 1024².
+// A room like a box, of few triangles, with two balls.
+SceneDescription textured_box(const BoxTextures& textures = {});
+
+// The same room with walls and balls that are displaced grids of two million triangles in all, and 64 MiB of textures.
 SceneDescription textured_room();
 
 // A thousand instances of one shape of a hundred thousand triangles, under an area light and a constant sky.

@@ -31,10 +31,15 @@ double peak_mebibytes() {
 SceneDescription scene_by_name(const std::string& name) {
   if (name == "cornell-box") return cornell_box();
   if (name == "textured-box") return textured_box();
+  if (name == "textured-box-stochastic") return textured_box({2048, TextureFilter::stochastic});
+  if (name == "textured-box-mip") return textured_box({2048, TextureFilter::mip});
+  if (name == "grey-box") return textured_box({0});
   if (name == "textured-room") return textured_room();
   if (name == "instances") return instanced_field();
-  throw std::invalid_argument("scenes are cornell-box, textured-box, textured-room and instances, not '" +
-                              name + "'");
+  throw std::invalid_argument(
+      "scenes are cornell-box, textured-box, textured-box-stochastic, textured-box-mip, grey-box, "
+      "textured-room and instances, not '" +
+      name + "'");
 }
 
 void run(const std::string& name, int threads, int spp) {

@@ -28,13 +28,22 @@ MaterialId SceneBuilder::black_material() {
 }
 
 std::shared_ptr<const TextureImage> SceneBuilder::image(const std::filesystem::path& file, ColorSpace space,
-                                                        const Place& place) {
-  std::shared_ptr<const TextureImage>& image = images_[{file, space}];
-  if (image) return image;
-  files.add_to_hash(file);
-  std::vector<std::string> repairs;
-  image = std::make_shared<TextureImage>(load_texture_image(file.string(), space, repairs));
-  for (const std::string& repair : repairs) diagnostics.warning(place, file.string() + ": " + repair);
+                                                        const Place& place, bool with_levels) {
+  std::shared_ptr<TextureImage>& image = images_[{file, space}];
+  if (!image) {
+    files.add_to_hash(file);
+    std::vector<std::string> repairs;
+    image =
+        std::make_shared<TextureImage>(load_texture_image(file.string(), space, repairs, &texture_memory));
+    for (const std::string& repair : repairs) diagnostics.warning(place, file.string() + ": " + repair);
+  }
+  if (with_levels && image->level_count() == 1) {
+    if (texture_memory.take(image->memory() / 3))
+      image->build_levels();
+    else
+      diagnostics.warning(place,
+                          file.string() + ": there is no room for levels of detail; it is seen as it is");
+  }
   return image;
 }
 

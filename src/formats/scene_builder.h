@@ -63,9 +63,11 @@ class SceneBuilder {
   MaterialId black_material();
 
   // The image of that file, loaded once however often it is asked for. Repairs become warnings at `place`.
-  // Throws SceneError if the file cannot be read.
+  // `with_levels`: with its levels of detail. Throws SceneError if the file cannot be read.
   std::shared_ptr<const TextureImage> image(const std::filesystem::path& file, ColorSpace space,
-                                            const Place& place);
+                                            const Place& place, bool with_levels = false);
+
+  TextureMemory texture_memory;  // of all images
 
   // Tells of something in a file that umbral does not know: "a medium". An error; where the options are lenient it is
   // left out instead, which becomes a warning and part of the image's provenance.
@@ -76,7 +78,7 @@ class SceneBuilder {
 
  private:
   MaterialId black_ = MaterialId::none;
-  std::map<std::pair<std::filesystem::path, ColorSpace>, std::shared_ptr<const TextureImage>> images_;
+  std::map<std::pair<std::filesystem::path, ColorSpace>, std::shared_ptr<TextureImage>> images_;
 };
 
 }  // namespace umbral

@@ -8,9 +8,9 @@
 #if defined(__F16C__) && defined(__SSE4_1__)
 #define UMBRAL_TEXELS_BY_SSE
 #include <immintrin.h>
-#else
-#include <glm/gtc/packing.hpp>
 #endif
+
+#include <glm/gtc/packing.hpp>
 
 #include "core/huge_pages.h"
 #include "core/spectrum.h"
@@ -44,6 +44,7 @@ struct Linear8 {
 // IEEE binary16.
 struct Half4 {
   using Stored = std::uint64_t;  // r in the lowest 16 bits
+  static Stored encoded(const Spectrum& value) { return glm::packHalf4x16(value); }
   static Spectrum decoded(Stored t) {
 #if defined(UMBRAL_TEXELS_BY_SSE)
     return std::bit_cast<Spectrum>(_mm_cvtph_ps(_mm_cvtsi64_si128(static_cast<long long>(t))));
@@ -55,6 +56,7 @@ struct Half4 {
 
 struct Float4 {
   using Stored = Spectrum;
+  static Stored encoded(const Spectrum& value) { return value; }
   static Spectrum decoded(const Stored& t) { return t; }
 };
 

@@ -1,6 +1,8 @@
 // Image files into texels, by OpenImageIO.
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <new>
 
@@ -9,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "image/pfm.h"
 #include "image/texture_image.h"
 
 namespace umbral {
@@ -16,38 +19,15 @@ namespace {
 
 constexpr std::int64_t most_texels = std::int64_t{1} << 29;
 
-// How the channels of a file make up a texel.
-struct Channels {
-  int count;       // of those read, from the first
-  bool grey;       // r = g = b
-  int alpha = -1;  // which of them; −1 if none
-};
-
-Channels channels_of(const OIIO::ImageSpec& spec) {
-  if (spec.nchannels == 1) return {1, true, -1};
-  if (spec.nchannels == 2) return {2, spec.alpha_channel == 1, spec.alpha_channel == 1 ? 1 : -1};
-  if (spec.nchannels >= 4 && spec.alpha_channel == 3) return {4, false, 3};
-  return {3, false, -1};
-}
-
-// One texel of the file, as red, green, blue and alpha; `one` stands for 1.
-template <class T>
-std::array<T, 4> expanded(const T* texel, const Channels& channels, T one) {
-  std::array<T, 4> rgba{texel[0], texel[0], texel[0], one};
-  if (!channels.grey) {
-    rgba[1] = texel[1];
-    rgba[2] = channels.count > 2 ? texel[2] : T{0};
-  }
-  if (channels.alpha >= 0) rgba[3] = texel[channels.alpha];
-  return rgba;
-}
-
 void require_sane(const OIIO::ImageSpec& spec, const std::string& path) {
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
     throw SceneError({path},
                      fmt::format("the image is empty: it has {} x {} texels", spec.width, spec.height));
   if (spec.depth > 1 || spec.deep)
     throw SceneError({path}, "volumes and deep images cannot be used as textures");
+}
+
+void require_few_texels(const OIIO::ImageSpec& spec, const std::string& path) {
   if (std::int64_t{spec.width} * spec.height > most_texels)
     throw SceneError({path}, fmt::format("the image has {} x {} texels, more than the {} supported",
                                          spec.width, spec.height, most_texels));
@@ -74,13 +54,13 @@ template <class Format, class T>
 TexelGrid<Format> grid_of(OIIO::ImageInput& input, OIIO::TypeDesc type, T one, const std::string& path,
                           auto&& store) {
   const OIIO::ImageSpec& spec = input.spec();
-  const Channels channels = channels_of(spec);
+  const FileChannels channels = FileChannels::of(spec.nchannels, spec.alpha_channel);
   const std::vector<T> values = read_values<T>(input, type, channels.count, path);
   TexelGrid<Format> grid(spec.width, spec.height);
   const T* texel = values.data();
   for (int y = spec.height - 1; y >= 0; --y)
     for (int x = 0; x < spec.width; ++x, texel += channels.count)
-      grid.set(x, y, store(expanded(texel, channels, one)));
+      grid.set(x, y, store(channels.expanded(texel, one)));
   return grid;
 }
 
@@ -99,12 +79,12 @@ class Repair {
     return texel;
   }
 
-  void report(const OIIO::ImageSpec& spec, const std::string& path, std::vector<std::string>& repairs) const {
+  void report(int width, int height, const std::string& path, std::vector<std::string>& repairs) const {
     if (count_ == 0) return;
     repairs.push_back(
         fmt::format("{}: {} of {} texels had values that are not a number, infinite or negative; "
                     "these values were replaced by 0",
-                    path, count_, std::int64_t{spec.width} * spec.height));
+                    path, count_, std::int64_t{width} * height));
   }
 
  private:
@@ -136,12 +116,16 @@ TextureImage::Texels read_texels(OIIO::ImageInput& input, bool srgb, Repair& rep
   });
 }
 
-std::unique_ptr<OIIO::ImageInput> opened(const std::string& path) {
+void require_file(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw SceneError({path}, "there is no such file");
   if (!std::filesystem::is_regular_file(status)) throw SceneError({path}, "it is not a regular file");
   if (std::filesystem::file_size(path, error) == 0) throw SceneError({path}, "the file is empty");
+}
+
+std::unique_ptr<OIIO::ImageInput> opened(const std::string& path) {
+  require_file(path);
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // leave straight alpha straight
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &config);
@@ -149,16 +133,45 @@ std::unique_ptr<OIIO::ImageInput> opened(const std::string& path) {
   return input;
 }
 
+// As grid_of() will store them.
+std::size_t bytes_in_memory(const OIIO::ImageSpec& spec, bool srgb) {
+  const std::size_t texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  if (spec.format == OIIO::TypeDesc::UINT8) return 4 * texels;
+  return (spec.format == OIIO::TypeDesc::HALF && !srgb ? 8 : 16) * texels;
+}
+
+TextureImage pfm_image(const std::string& path, ColorSpace color_space, std::vector<std::string>& repairs) {
+  require_file(path);
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  TexelGrid<Float4> grid = read_pfm(bytes, path, most_texels);
+  Repair repair;
+  for (int y = 0; y < grid.height(); ++y)
+    for (int x = 0; x < grid.width(); ++x) {
+      const Spectrum texel = grid.at(x, y);
+      const auto [r, g, b, a] = repair(std::array<float, 4>{texel.r, texel.g, texel.b, 1});
+      grid.set(x, y,
+               color_space == ColorSpace::srgb ? Spectrum(srgb_decode(r), srgb_decode(g), srgb_decode(b), a)
+                                               : Spectrum(r, g, b, a));
+    }
+  repair.report(grid.width(), grid.height(), path, repairs);
+  return TextureImage(TextureImage::Texels(std::move(grid)));
+}
+
+// Read whole, or left in its file `path` where `memory` has no room for it.
 TextureImage loaded(OIIO::ImageInput& input, const std::string& path, ColorSpace color_space,
-                    std::vector<std::string>& repairs) {
+                    std::vector<std::string>& repairs, TextureMemory* memory) {
   const OIIO::ImageSpec spec = input.spec();
   require_sane(spec, path);
   const bool srgb = color_space == ColorSpace::srgb ||
                     (color_space == ColorSpace::automatic && !spec.format.is_floating_point());
   try {
+    if (memory && !memory->take(bytes_in_memory(spec, srgb)))
+      return TextureImage(CachedTexels(memory->cache(), path, srgb));
+    require_few_texels(spec, path);
     Repair repair;
     TextureImage image(read_texels(input, srgb, repair, path));
-    repair.report(spec, path, repairs);
+    repair.report(spec.width, spec.height, path, repairs);
     return image;
   } catch (const std::bad_alloc&) {
     throw SceneError(
@@ -169,9 +182,10 @@ TextureImage loaded(OIIO::ImageInput& input, const std::string& path, ColorSpace
 }  // namespace
 
 TextureImage load_texture_image(const std::string& path, ColorSpace color_space,
-                                std::vector<std::string>& repairs) {
+                                std::vector<std::string>& repairs, TextureMemory* memory) {
+  if (is_pfm(path)) return pfm_image(path, color_space, repairs);
   const std::unique_ptr<OIIO::ImageInput> input = opened(path);
-  return loaded(*input, path, color_space, repairs);
+  return loaded(*input, path, color_space, repairs, memory);
 }
 
 TextureImage load_texture_image(std::string_view bytes, const std::string& name, ColorSpace color_space,
@@ -185,7 +199,7 @@ TextureImage load_texture_image(std::string_view bytes, const std::string& name,
   const std::string ending = "texture" + std::filesystem::path(name).extension().string();
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(ending, &config);
   if (!input) throw SceneError({name}, "the image cannot be read: " + OIIO::geterror());
-  return loaded(*input, name, color_space, repairs);
+  return loaded(*input, name, color_space, repairs, nullptr);
 }
 
 }  // namespace umbral

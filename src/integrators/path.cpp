@@ -22,6 +22,9 @@ float survival_probability(const Spectrum& throughput) {
   return glm::clamp(max_component(throughput), 0.05f, 0.99f);
 }
 
+// By how much the cone of rays widens at a bounce: a direction of density p stands for a solid angle 1/p of 64 alike.
+float spread_of(float pdf) { return 0.25f / std::sqrt(pi * pdf); }
+
 // How the path came to where it is: what multiple importance sampling needs to know of the last bounce.
 struct Arrival {
   float pdf = 0;         // of the direction, per solid angle
@@ -141,6 +144,10 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     }
     if (!same_side(wo, sample->wi)) medium = beyond(lobe, sample->wi, medium);
     arrival = {sample->pdf, sample->delta, receiver};
+    if (scene.has_footprints()) {
+      ray.width += ray.spread * hit->t;
+      if (!sample->delta) ray.spread = std::max(ray.spread, spread_of(sample->pdf));
+    }
     ray.o = surface.origin_towards(wi);
     ray.d = wi;
   }

@@ -14,6 +14,7 @@ Camera::Camera(const CameraSettings& settings, int width, int height)
   const Vec3 up = cross(unmirrored, forward_);
   const Vec3 right = settings.mirrored ? -unmirrored : unmirrored;
   const float pixel = 2 * std::tan(glm::radians(settings.fov) / 2) / static_cast<float>(height);
+  spread_ = pixel / 4;
   right_ = right * pixel;
   down_ = -up * pixel;
   const Vec2 size(width, height);
@@ -26,10 +27,10 @@ Camera::Camera(const CameraSettings& settings, int width, int height)
 
 Ray Camera::ray(const Vec2& film, const Vec2& lens) const {
   const Vec3 direction = corner_ + film.x * right_ + film.y * down_;
-  if (!has_lens()) return {position_, glm::normalize(direction)};
+  if (!has_lens()) return {position_, glm::normalize(direction), 0, infinity, 0, spread_};
   const Vec2 on_disk = square_to_disk(lens);
   const Vec3 offset = on_disk.x * lens_x_ + on_disk.y * lens_y_;
-  return {position_ + offset, glm::normalize(direction * focus_distance_ - offset)};
+  return {position_ + offset, glm::normalize(direction * focus_distance_ - offset), 0, infinity, 0, spread_};
 }
 
 }  // namespace umbral

@@ -45,7 +45,7 @@ class Camera {
   const Vec3& forward() const { return forward_; }  // unit, world
 
   // The ray through `film` (pixels from the upper left corner, x right, y down); `lens` in [0, 1)² is used only
-  // where there is a lens. Its direction is of unit length.
+  // where there is a lens. Its direction is of unit length; its cone a quarter of a pixel wide.
   Ray ray(const Vec2& film, const Vec2& lens) const;
 
  private:
@@ -53,6 +53,7 @@ class Camera {
   Vec3 right_, down_, corner_;  // film to the plane at distance 1 along the view
   Vec3 lens_x_, lens_y_;        // of length lens_radius_
   float lens_radius_, focus_distance_;
+  float spread_ = 0;  // of a ray's cone
 };
 
 }  // namespace umbral

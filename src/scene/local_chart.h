@@ -15,7 +15,7 @@ struct LocalChart {
   TexturePoint d[2];    // derivatives of `at`
   bool mapped = false;  // uv is a parametrisation of the whole shape, not each triangle's own
 
-  // At so far from `at`.
+  // At so far from `at`; without a random number, since slopes are told from interpolated texels.
   TexturePoint shifted(int parameter, float by) const {
     const TexturePoint& change = d[parameter];
     TexturePoint result;
@@ -23,6 +23,8 @@ struct LocalChart {
     result.uv1 = at.uv1 + by * change.uv1;
     result.p = at.p + by * change.p;
     result.color = at.color + by * change.color;
+    result.footprint = at.footprint;
+    result.footprint1 = at.footprint1;
     return result;
   }
 };

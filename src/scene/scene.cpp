@@ -46,6 +46,8 @@ void Scene::mark_details() {
       geometry_.groups[emitter.group].pieces[emitter.piece].needs |=
           textures_[index_of(emitter.emission.map)].needs();
   for (Group& group : geometry_.groups)
+    for (Piece& piece : group.pieces) has_footprints_ |= (piece.needs & texture_needs::footprint) != 0;
+  for (Group& group : geometry_.groups)
     for (Piece& piece : group.pieces)
       piece.detail = detail_of(piece, geometry_, materials_[index_of(piece.material)]);
 }

@@ -70,6 +70,9 @@ class Scene {
   // From `surface` to the sample; occluded() tells whether it arrives.
   static Ray shadow_ray(const Surface& surface, const LightSample& sample);
 
+  // Whether any texture looks at the cone of rays (Ray::width).
+  bool has_footprints() const { return has_footprints_; }
+
   float radius() const { return radius_; }  // of a sphere that holds the world; world units
   std::size_t accel_bytes() const { return accel_->bytes(); }
   // What the scene uses beyond plain triangles and constants, for the summary of a render.
@@ -91,6 +94,7 @@ class Scene {
   const EnvironmentLight* environment_ = nullptr;  // in lights_
   LightChooser light_chooser_;
   float radius_ = 0;
+  bool has_footprints_ = false;
 };
 
 }  // namespace umbral

@@ -1,6 +1,9 @@
 // Perturbed normals and the frames around them.
 #include "scene/surface_detail.h"
 
+#include <bit>
+
+#include "core/hash.h"
 #include "scene/local_chart.h"
 
 namespace umbral {
@@ -35,12 +38,12 @@ std::optional<Tangents> tangents_of(const LocalChart& chart, const Textured<Spec
   return tangents(chart, texture.placed(chart.d[0]) - origin, texture.placed(chart.d[1]) - origin);
 }
 
-Vec3 with_normal_map(const Vec3& n, const LocalChart& chart, const Material& material,
+Vec3 with_normal_map(const Vec3& n, const LocalChart& chart, const TexturePoint& at, const Material& material,
                      const std::vector<Texture>& textures) {
   const std::optional<Tangents> along = tangents_of(chart, material.normal_map, textures);
   const std::optional<Frame> frame = along ? tangent_frame(n, *along) : std::nullopt;
   if (!frame) return n;
-  const Spectrum code = value_at(material.normal_map, chart.at, textures);
+  const Spectrum code = value_at(material.normal_map, at, textures);
   const Vec3 local = 2.0f * Vec3(code) - 1.0f;
   const Vec3 mapped =
       frame->to_world({local.x * material.normal_scale, local.y * material.normal_scale, local.z});
@@ -75,6 +78,29 @@ Vec3 with_bump_map(const Vec3& n, const LocalChart& chart, const Material& mater
   return is_finite(gradient) ? glm::normalize(n - gradient) : n;
 }
 
+// The width in uv of the ray's cone, where it meets the surface: the root of the area of its section.
+float footprint_in(const Vec2& duv0, const Vec2& duv1, float width2_per_area) {
+  return std::sqrt(std::abs(duv0.x * duv1.y - duv0.y * duv1.x) * width2_per_area);
+}
+
+void add_footprint(const LocalChart& chart, const Ray& ray, const Hit& hit, Surface& surface) {
+  const float length = glm::length(ray.d);
+  const float width = ray.width + ray.spread * hit.t * length;
+  const float area = glm::length(cross(chart.dp[0], chart.dp[1])) * std::abs(dot(ray.d, surface.ng)) / length;
+  if (!(width > 0) || !(area > 0)) return;
+  surface.at.footprint = footprint_in(chart.d[0].uv, chart.d[1].uv, sqr(width) / area);
+  surface.at.footprint1 = footprint_in(chart.d[0].uv1, chart.d[1].uv1, sqr(width) / area);
+}
+
+// Another number for every hit, and the same for the same hit.
+std::uint32_t random_of(const Ray& ray, const TexturePoint& at) {
+  std::uint64_t hash =
+      hash_combine(std::bit_cast<std::uint32_t>(at.uv.x), std::bit_cast<std::uint32_t>(at.uv.y));
+  hash = hash_combine(hash, std::uint64_t{std::bit_cast<std::uint32_t>(ray.d.x)} << 32 |
+                                std::bit_cast<std::uint32_t>(ray.d.y));
+  return static_cast<std::uint32_t>(hash >> 32) | 1;
+}
+
 }  // namespace
 
 unsigned detail_of(const Piece& piece, const Geometry& geometry, const Material& material) {
@@ -100,9 +126,13 @@ void add_detail(const Geometry& geometry, const Material& material, const std::v
     surface.shading = frame_from_normal(n);
     return;
   }
-  const LocalChart chart = geometry.chart(ray, hit);
+  LocalChart chart = geometry.chart(ray, hit);
   surface.at = chart.at;
-  if (maps_normal && material.has_normal_map()) n = with_normal_map(n, chart, material, textures);
+  const unsigned needs = geometry.piece(hit).needs;
+  if ((needs & texture_needs::footprint) != 0) add_footprint(chart, ray, hit, surface);
+  if ((needs & texture_needs::random) != 0) surface.at.random = random_of(ray, surface.at);
+  chart.at = surface.at;
+  if (maps_normal && material.has_normal_map()) n = with_normal_map(n, chart, surface.at, material, textures);
   if (maps_normal && material.has_bump_map()) n = with_bump_map(n, chart, material, textures);
   if (n != surface.ng) n = reflecting_normal(n, surface.ng, -glm::normalize(ray.d));
   std::optional<Frame> frame;

@@ -169,5 +169,21 @@ TEST(SceneHash, IsThatOfTheBytesAndNotOfThePaths) {
   EXPECT_NE(hash(scene, 9), hash(scene + "# more\n", 9));
 }
 
+// Every tile beside the file, by the number in its name.
+TEST(TomlScene, ImagesOfManyTiles) {
+  const SceneFolder folder;
+  folder.write("skin.1001.tga", test::tga(2, 2, 255, 0, 0, 255));
+  folder.write("skin.1012.tga", test::tga(4, 2, 0, 255, 0, 255));
+  const SceneFile file = folder.read_toml(
+      "[[shapes]]\ntype = \"sphere\"\nemission = { type = \"image\", file = \"skin.<UDIM>.tga\" }\n");
+  const Texture& texture = file.scene.textures.at(0);
+  EXPECT_EQ(texture.color({0.5f, 0.5f}), Spectrum(1, 0, 0, 1));
+  EXPECT_EQ(texture.color({1.5f, 1.5f}), Spectrum(0, 1, 0, 1));
+  EXPECT_EQ(texture.color({1.5f, 0.5f}), Spectrum(0.0f));
+  folder.write("none.toml",
+               "[[shapes]]\ntype = \"sphere\"\nemission = { type = \"image\", file = \"no.<UDIM>.tga\" }\n");
+  EXPECT_TRUE(test::contains(folder.errors("none.toml"), "there is no such file for any number from 1001 on"));
+}
+
 }  // namespace
 }  // namespace umbral

@@ -1,5 +1,6 @@
 // Image files of all kinds, whole and broken.
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -223,6 +224,117 @@ TEST_F(TextureLoader, AbsurdlyLargeImagesAreRefusedBeforeTheyAreRead) {
   put_bytes(path("a.tga"), bytes);
   EXPECT_THAT(refusal("a.tga"),
               HasSubstr("the image has 60138 x 60138 texels, more than the 536870912 supported"));
+}
+
+// Every format that scenes come with, by the same picture: what codes and floats can hold of it.
+TEST_F(TextureLoader, ReadsTheFormatsOfTheField) {
+  constexpr int side = 16;
+  std::vector<float> pixels;  // smooth, as JPEG and RGBE want it
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (const int value : {x, y, 8}) pixels.push_back(0.25f + 0.5f * static_cast<float>(value) / side);
+  struct {
+    const char* name;
+    OIIO::TypeDesc type;
+    float tolerance;
+  } const formats[] = {{"a.png", OIIO::TypeDesc::UINT8, 0.003f}, {"a.jpg", OIIO::TypeDesc::UINT8, 0.03f},
+                       {"a.tga", OIIO::TypeDesc::UINT8, 0.003f}, {"a.hdr", OIIO::TypeDesc::FLOAT, 0.01f},
+                       {"a.exr", OIIO::TypeDesc::HALF, 0.001f},  {"b.exr", OIIO::TypeDesc::FLOAT, 0},
+                       {"a.tif", OIIO::TypeDesc::UINT16, 1e-4f}};
+  for (const auto& format : formats) {
+    write_image(path(format.name), side, side, 3, format.type, pixels);
+    const TextureImage image = load(format.name, ColorSpace::linear);
+    ASSERT_EQ(image.width(), side) << format.name;
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x)
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(image.texel(x, side - 1 - y)[c], pixels[static_cast<std::size_t>(3 * (side * y + x) + c)],
+                      format.tolerance + 1e-6f)
+              << format.name;
+  }
+}
+
+std::string pfm(const std::string& header, const std::vector<float>& values, bool swapped = false) {
+  std::string bytes = header;
+  for (const float value : values) {
+    char raw[4];
+    std::memcpy(raw, &value, 4);
+    if (swapped) std::reverse(raw, raw + 4);
+    bytes.append(raw, 4);
+  }
+  return bytes;
+}
+
+TEST_F(TextureLoader, ReadsPfmOfBothByteOrdersGreyAndColoured) {
+  put_bytes(path("a.pfm"), pfm("PF\n2 1\n-1.0\n", {0.25f, 0.5f, 1, 2, 3, 1000}));
+  const TextureImage little = load("a.pfm");
+  EXPECT_EQ(little.texel(0, 0), Spectrum(0.25f, 0.5f, 1, 1));
+  EXPECT_EQ(little.texel(1, 0), Spectrum(2, 3, 1000, 1));
+  put_bytes(path("b.PFM"), pfm("Pf 1 2 2.0\n", {0.25f, 4}, true));  // the first row is the lowest
+  const TextureImage big = load("b.PFM");
+  EXPECT_EQ(big.texel(0, 0), Spectrum(0.5f, 0.5f, 0.5f, 1));
+  EXPECT_EQ(big.texel(0, 1), Spectrum(8, 8, 8, 1));
+  put_bytes(path("c.pfm"), pfm("Pf\n1 1\n-1\n", {-3}));
+  EXPECT_EQ(load("c.pfm").texel(0, 0).r, 0);
+  EXPECT_EQ(repairs_.size(), 1u);
+}
+
+TEST_F(TextureLoader, RefusesBrokenPfm) {
+  const auto refused = [&](const std::string& bytes) {
+    put_bytes(path("a.pfm"), bytes);
+    return refusal("a.pfm");
+  };
+  EXPECT_THAT(refused("P6\n1 1\n255\nabc"), HasSubstr("does not begin with PF"));
+  EXPECT_THAT(refused("PF\n1"), HasSubstr("'' is not a number"));
+  EXPECT_THAT(refused("PF\n1 x\n-1\n"), HasSubstr("'x' is not a number"));
+  EXPECT_THAT(refused("PF\n0 1\n-1\n"), HasSubstr("is 0"));
+  EXPECT_THAT(refused("PF\n2 2\n-1\nabcd"), HasSubstr("ends before its 2 x 2 texels"));
+  EXPECT_THAT(refused("PF\n2000000 2000000\n-1\n"), HasSubstr("more than the"));
+  EXPECT_THAT(refused(""), HasSubstr("empty"));
+  EXPECT_THAT(refusal("none.pfm"), HasSubstr("no such file"));
+}
+
+// What does not fit stays in its file, and look-ups cannot tell.
+TEST_F(TextureLoader, ReadsWhatDoesNotFitTileByTile) {
+  constexpr int width = 150, height = 70;
+  std::mt19937 random(1);
+  std::vector<std::uint8_t> codes(3 * width * height);
+  for (auto& code : codes) code = static_cast<std::uint8_t>(random());
+  std::vector<float> values(4 * width * height);
+  for (auto& value : values) value = static_cast<float>(random() % 1000) / 500 - 0.1f;  // some of them negative
+  write_image(path("a.png"), width, height, 3, OIIO::TypeDesc::UINT8, codes);
+  write_image(path("b.exr"), width, height, 4, OIIO::TypeDesc::HALF, values);
+  for (const char* name : {"a.png", "b.exr"})
+    for (const ColorSpace space : {ColorSpace::srgb, ColorSpace::linear}) {
+      const TextureImage whole = load(name, space);
+      TextureMemory none(1000);
+      const TextureImage cached = load_texture_image(path(name), space, repairs_, &none);
+      EXPECT_EQ(cached.memory(), 0u);
+      EXPECT_EQ(cached.width(), width);
+      EXPECT_EQ(cached.is_srgb(), space == ColorSpace::srgb);
+      for (int c = 0; c < 4; ++c) {
+        EXPECT_NEAR(cached.min_max().first[c], whole.min_max().first[c], 1e-6);
+        EXPECT_NEAR(cached.min_max().second[c], whole.min_max().second[c], 1e-6);
+      }
+      for (int i = 0; i < 2000; ++i) {
+        const Vec2 uv{static_cast<float>(random() % 4096) / 2048, static_cast<float>(random() % 4096) / 4096};
+        for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::none}) {
+          const Spectrum a = whole.bilinear(uv, wrap), b = cached.bilinear(uv, wrap);
+          for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[c], b[c], 1e-6) << name;
+        }
+      }
+    }
+}
+
+TEST_F(TextureLoader, FillsTheMemoryBeforeItLeavesImagesInTheirFiles) {
+  write_image(path("a.png"), 2, 2, 3, OIIO::TypeDesc::UINT8, four);  // 16 bytes
+  TextureMemory memory(40);                                           // 35 for whole images
+  for (const bool fits : {true, true, false}) {
+    const TextureImage image = load_texture_image(path("a.png"), ColorSpace::srgb, repairs_, &memory);
+    EXPECT_EQ(image.memory() > 0, fits);
+    EXPECT_EQ(image.texel(0, 1), Spectrum(1, 0, 0, 1));
+  }
+  EXPECT_EQ(memory.taken(), 32u);
 }
 
 }  // namespace

@@ -7,6 +7,11 @@
 #include "formats/toml/parameter_reader.h"
 
 namespace umbral::toml_file {
+namespace {
+
+constexpr std::string_view udim_mark = "<UDIM>";
+
+}  // namespace
 
 void TextureLibrary::open_section(const Value& section) {
   named_.open_section(section, [&](const Entry& entry, const Value::Table& table) {
@@ -50,11 +55,37 @@ bool TextureLibrary::check(const Texture& texture, TableReader& table) const {
   return true;
 }
 
+// Every file of the folder whose name has four digits in the mark's place.
+void TextureLibrary::load_tiles(ImageTexture& texture, const Place& place) {
+  const std::filesystem::path path = (folder_ / texture.file).lexically_normal();
+  const std::string name = path.filename().string();
+  const std::size_t mark = name.find(udim_mark);
+  auto tiles = std::make_shared<UdimTiles>();
+  for (int number = 1001; mark != std::string::npos && number <= 9999; ++number) {
+    std::string file = name;
+    file.replace(mark, udim_mark.size(), std::to_string(number));
+    std::error_code absent;
+    if (!std::filesystem::exists(path.parent_path() / file, absent)) continue;
+    tiles->images.resize(static_cast<std::size_t>(number - 1000));
+    tiles->images.back() = builder_.image(path.parent_path() / file, texture.color_space, place,
+                                          texture.filter == TextureFilter::mip);
+    if (!texture.image) texture.image = tiles->images.back();
+  }
+  if (!texture.image)
+    throw SceneError({path.string()},
+                     "there is no such file for any number from 1001 on in the place of <UDIM>");
+  texture.tiles = std::move(tiles);
+}
+
 bool TextureLibrary::load_image(ImageTexture& texture, TableReader& table) {
   if (texture.file.empty()) return false;
   const Place place = context_.place(*table.find("file"));
   try {
-    texture.image = builder_.image((folder_ / texture.file).lexically_normal(), texture.color_space, place);
+    if (texture.file.find(udim_mark) != std::string::npos)
+      load_tiles(texture, place);
+    else
+      texture.image = builder_.image((folder_ / texture.file).lexically_normal(), texture.color_space, place,
+                                     texture.filter == TextureFilter::mip);
   } catch (const SceneError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics())
       context_.diagnostics.error(

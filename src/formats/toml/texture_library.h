@@ -35,6 +35,7 @@ class TextureLibrary {
   std::optional<TextureId> read(const Value::Table& table, std::string name, const Place& place);
   bool check(const Texture& texture, TableReader& table) const;
   bool load_image(ImageTexture& texture, TableReader& table);
+  void load_tiles(ImageTexture& texture, const Place& place);
   bool keeps_range(const Value& value, const ParameterInfo& info, const Texture& texture,
                    bool as_color) const;
   bool suits_normals(const Value& value, const Texture& texture) const;

@@ -25,6 +25,8 @@ AreaLight::AreaLight(const Geometry& geometry, const Emitter& emitter, const std
   material_ = &materials[index_of(piece.material)];
   if (material_->back == BackSide::clear) emitter_.two_sided = false;  // no ray meets its inner side
   needs_ = piece.needs;
+  textured_ = !emitter.emission.is_constant() || !material_->alpha.is_constant();
+  if (!textured_) constant_shine_ = emitter.emission.value * material_->opacity({}, textures);
   if (piece.analytic != no_index) {
     analytic_ = &geometry.analytics[piece.analytic];
     to_world_ = to_world_ * analytic_->to_group;
@@ -78,17 +80,28 @@ Vec3d AreaLight::world(const Vec3& p) const { return to_world_.point(Vec3d(p)); 
 
 AreaLight::Point AreaLight::rectangle_point(const Vec2& u) const {
   const Vec3 p = rectangle_.origin + u.x * rectangle_.edge_u + u.y * rectangle_.edge_v;
-  TexturePoint at = u;
-  if (needs_ != 0)
-    add_needed(at, Vec3d(emitter_.rectangle->origin + u.x * emitter_.rectangle->edge_u +
-                         u.y * emitter_.rectangle->edge_v));
-  return {p, rectangle_normal_, rectangle_error_, at, 0};
+  return {p, rectangle_normal_, rectangle_error_, u, 0};
 }
 
-// Of a shape that has no vertices of its own.
-void AreaLight::add_needed(TexturePoint& at, const Vec3d& p_group) {
-  at.uv1 = at.uv;
-  at.p = Vec3(p_group);
+// What its textures see, worked out only where there are any.
+TexturePoint AreaLight::texture_point(const Point& q) const {
+  if (mesh_ && !emitter_.rectangle) return mesh_->texture_point(q.triangle, q.place, needs_);
+  TexturePoint point = q.place;
+  if (needs_ == 0) return point;
+  point.uv1 = point.uv;
+  if (analytic_) {
+    point.p = Vec3(analytic_->to_group.point(from_world_.point(Vec3d(q.p))));
+  } else {
+    const Rectangle& r = *emitter_.rectangle;
+    point.p = r.origin + q.place.x * r.edge_u + q.place.y * r.edge_v;
+  }
+  return point;
+}
+
+Spectrum AreaLight::shine(const Point& q) const {
+  if (!textured_) return constant_shine_;
+  const TexturePoint point = texture_point(q);
+  return emission_at(point) * opacity_at(point);
 }
 
 AreaLight::Corners AreaLight::corners_of(std::uint32_t triangle) const {
@@ -102,17 +115,20 @@ AreaLight::Point AreaLight::triangle_point(std::uint32_t index, const Vec2& b) c
   const Vec3 &a = mesh_->vertices[t.x].p, &e = mesh_->vertices[t.y].p, &f = mesh_->vertices[t.z].p;
   const Vec3d p = world((1 - b.x - b.y) * a + b.x * e + b.y * f);
   const Vec3d n = cross(Vec3d(e) - Vec3d(a), Vec3d(f) - Vec3d(a));
-  return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(n))),
-          std::max(surface_error(triangle.magnitude), placed_error_), mesh_->texture_point(index, b, needs_)};
+  return {Vec3(p),
+          Vec3(glm::normalize(from_world_.transposed(n))),
+          std::max(surface_error(triangle.magnitude), placed_error_),
+          b,
+          0,
+          false,
+          index};
 }
 
 AreaLight::Point AreaLight::analytic_point(const Vec2& u) const {
   const SurfacePoint s = std::visit([&](const auto& shape) { return shape.sample(u); }, analytic_->shape);
   const Vec3d p = to_world_.point(s.p);
-  TexturePoint at = Vec2(s.uv);
-  if (needs_ != 0) add_needed(at, analytic_->to_group.point(s.p));
   return {Vec3(p), Vec3(glm::normalize(from_world_.transposed(s.n))),
-          std::max(surface_error(max_component(Vec3(glm::abs(p)))), placed_error_), at, 0};
+          std::max(surface_error(max_component(Vec3(glm::abs(p)))), placed_error_), Vec2(s.uv), 0};
 }
 
 AreaLight::Point AreaLight::point(const Vec2& u) const {
@@ -145,15 +161,12 @@ float AreaLight::cone_pdf_along(const SphereCone& cone, const Vec3& wi) const {
 AreaLight::Point AreaLight::sphere_point(const Vec3& p, const SphereCone& cone, const Vec2& u) const {
   const Vec3d n = cone.sample(u);
   const Vec3d q = to_world_.point(n);
-  TexturePoint at;
-  if (!emitter_.emission.is_constant() || !material_->alpha.is_constant()) {
-    at = Vec2(std::get<Sphere>(analytic_->shape).nearest(n).uv);
-    if (needs_ != 0) add_needed(at, analytic_->to_group.point(n));
-  }
+  Vec2 uv{0, 0};
+  if (textured_) uv = Vec2(std::get<Sphere>(analytic_->shape).nearest(n).uv);
   return {Vec3(q),
           Vec3(glm::normalize(from_world_.transposed(n))),
           std::max(surface_error(max_component(Vec3(glm::abs(q)))), placed_error_),
-          at,
+          uv,
           cone_pdf_along(cone, Vec3(glm::normalize(q - Vec3d(p)))),
           true};
 }
@@ -257,7 +270,7 @@ std::optional<LightSample> AreaLight::sample(const LightReceiver& receiver, cons
   if (!(pdf > 0) || !std::isfinite(pdf)) return result;
   result.emplace();
   result->wi = wi;
-  result->radiance = emission_at(q.at) * opacity_at(q.at);
+  result->radiance = shine(q);
   result->pdf = pdf;
   result->distance = distance;
   result->target = q.p + (cosine < 0 ? -q.error : q.error) * q.n;

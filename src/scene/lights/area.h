@@ -37,10 +37,11 @@ class AreaLight {
  private:
   struct Point {
     Vec3 p, n;
-    float error;  // as that of a Surface
-    TexturePoint at;
+    float error;                  // as that of a Surface
+    Vec2 place;                   // uv, or barycentric coordinates of a triangle of a mesh
     float pdf = 0;                // per world area, or
     bool by_solid_angle = false;  // per solid angle
+    std::uint32_t triangle = 0;   // of a mesh
   };
   struct Corners {
     Vec3d a, b, c;  // world
@@ -73,7 +74,8 @@ class AreaLight {
   float area_pdf(const Vec3& n) const;  // n: unit, world, outer side
   Spectrum emission_at(const TexturePoint& point) const;
   float opacity_at(const TexturePoint& point) const;
-  static void add_needed(TexturePoint& at, const Vec3d& p_group);
+  Spectrum shine(const Point& q) const;  // emission, as far as it is opaque there
+  TexturePoint texture_point(const Point& q) const;
   float least_emission() const;
 
   const Geometry* geometry_;
@@ -81,6 +83,8 @@ class AreaLight {
   Emitter emitter_;
   const Material* material_;
   unsigned needs_ = 0;                     // of its textures, beside uv
+  bool textured_ = false;                  // shine() is not the same everywhere
+  Spectrum constant_shine_{0.0f};          // where it is
   const TracedMesh* mesh_ = nullptr;       // of a triangle mesh
   const PlacedShape* analytic_ = nullptr;  // of the others
   Affine to_world_, from_world_;           // from group space; from canonical space where analytic

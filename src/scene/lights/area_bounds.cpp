@@ -97,7 +97,7 @@ double AreaLight::power() const {
     for (int x = 0; x < grid; ++x) {
       const Vec2 u{(static_cast<float>(x) + 0.5f) / grid, (static_cast<float>(y) + 0.5f) / grid};
       const Point q = point(u);
-      sum += (luminance(emission_at(q.at)) * opacity_at(q.at) + least_emission()) / q.pdf;
+      sum += (luminance(shine(q)) + least_emission()) / q.pdf;
     }
   return sum / (grid * grid) * pi_d * (emitter_.two_sided ? 2 : 1);
 }

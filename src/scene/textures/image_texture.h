@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "core/parameters.h"
 #include "image/texture_image.h"
@@ -12,6 +13,18 @@
 #include "scene/textures/uv_map.h"
 
 namespace umbral {
+
+// The images of a file name with <UDIM>: tile 1001 + u + 10 v lies on the uv square (u, v).
+struct UdimTiles {
+  static constexpr int columns = 10;
+  std::vector<std::shared_ptr<const TextureImage>> images;  // by number − 1001; null where there is none
+
+  const TextureImage* at(const Vec2& square) const {
+    if (!(square.x >= 0 && square.x < columns && square.y >= 0 && square.y < 1000)) return nullptr;
+    const auto index = static_cast<std::size_t>(square.x) + columns * static_cast<std::size_t>(square.y);
+    return index < images.size() ? images[index].get() : nullptr;
+  }
+};
 
 struct ImageTexture {
   std::string file;
@@ -28,7 +41,8 @@ struct ImageTexture {
   static constexpr const char* kind = "image";
   static constexpr const char* doc = "an image file: value = texel × factor + bias";
   static constexpr auto parameters =
-      std::tuple{required<&ImageTexture::file>("file", "image file, relative to the scene file"),
+      std::tuple{required<&ImageTexture::file>(
+                     "file", "image file, relative to the scene file; <UDIM> in it stands for 1001, 1002, …"),
                  parameter<&ImageTexture::color_space>(
                      "color_space", "how texels are stored; automatic: 8-bit is sRGB, float linear"),
                  parameter<&ImageTexture::wrap>("wrap", "what lies beyond the unit square"),
@@ -44,12 +58,17 @@ struct ImageTexture {
 
   // What the reader loads; the texture cannot be evaluated before.
   std::shared_ptr<const TextureImage> image = nullptr;
+  std::shared_ptr<const UdimTiles> tiles = nullptr;  // where the file is many; `image` is then one of them
   UvMap uv_map{};
+  float footprint_scale = 1;  // of widths in uv, by uv_map
 
-  void prepare() { uv_map = UvMap({uv_scale, uv_rotation, uv_offset}); }
+  void prepare() {
+    uv_map = UvMap({uv_scale, uv_rotation, uv_offset});
+    footprint_scale = std::sqrt(std::abs(uv_scale.x * uv_scale.y));
+  }
   Spectrum evaluate(const TexturePoint& point) const;  // r, g, b and alpha
   TextureBounds bounds() const;
-  unsigned needs() const { return uv_set == 0 ? 0 : texture_needs::uv1; }
+  unsigned needs() const;
   TextureStep step() const;
   Vec2 placed(const TexturePoint& point) const { return uv_map(point.uv_of(uv_set)); }
 };

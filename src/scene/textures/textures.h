@@ -8,16 +8,20 @@
 #include "scene/ids.h"
 #include "scene/textures/checker.h"
 #include "scene/textures/image_texture.h"
+#include "scene/textures/marble_texture.h"
 #include "scene/textures/mix_texture.h"
+#include "scene/textures/noise_texture.h"
 #include "scene/textures/ramp_texture.h"
 #include "scene/textures/scale_texture.h"
+#include "scene/textures/stone_texture.h"
 #include "scene/textures/vertex_color.h"
+#include "scene/textures/wood_texture.h"
 
 namespace umbral {
 
 // A new texture joins here.
-using TextureKinds =
-    std::variant<ImageTexture, CheckerTexture, ScaleTexture, MixTexture, RampTexture, VertexColorTexture>;
+using TextureKinds = std::variant<ImageTexture, CheckerTexture, ScaleTexture, MixTexture, RampTexture,
+                                  VertexColorTexture, NoiseTexture, MarbleTexture, WoodTexture, StoneTexture>;
 
 struct Texture {
   std::string name;
