@@ -182,7 +182,8 @@ TEST(TomlScene, ImagesOfManyTiles) {
   EXPECT_EQ(texture.color({1.5f, 0.5f}), Spectrum(0.0f));
   folder.write("none.toml",
                "[[shapes]]\ntype = \"sphere\"\nemission = { type = \"image\", file = \"no.<UDIM>.tga\" }\n");
-  EXPECT_TRUE(test::contains(folder.errors("none.toml"), "there is no such file for any number from 1001 on"));
+  EXPECT_TRUE(
+      test::contains(folder.errors("none.toml"), "there is no such file for any number from 1001 on"));
 }
 
 }  // namespace

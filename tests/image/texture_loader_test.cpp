@@ -248,8 +248,8 @@ TEST_F(TextureLoader, ReadsTheFormatsOfTheField) {
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x)
         for (int c = 0; c < 3; ++c)
-          EXPECT_NEAR(image.texel(x, side - 1 - y)[c], pixels[static_cast<std::size_t>(3 * (side * y + x) + c)],
-                      format.tolerance + 1e-6f)
+          EXPECT_NEAR(image.texel(x, side - 1 - y)[c],
+                      pixels[static_cast<std::size_t>(3 * (side * y + x) + c)], format.tolerance + 1e-6f)
               << format.name;
   }
 }
@@ -301,7 +301,8 @@ TEST_F(TextureLoader, ReadsWhatDoesNotFitTileByTile) {
   std::vector<std::uint8_t> codes(3 * width * height);
   for (auto& code : codes) code = static_cast<std::uint8_t>(random());
   std::vector<float> values(4 * width * height);
-  for (auto& value : values) value = static_cast<float>(random() % 1000) / 500 - 0.1f;  // some of them negative
+  for (auto& value : values)
+    value = static_cast<float>(random() % 1000) / 500 - 0.1f;  // some of them negative
   write_image(path("a.png"), width, height, 3, OIIO::TypeDesc::UINT8, codes);
   write_image(path("b.exr"), width, height, 4, OIIO::TypeDesc::HALF, values);
   for (const char* name : {"a.png", "b.exr"})
@@ -328,7 +329,7 @@ TEST_F(TextureLoader, ReadsWhatDoesNotFitTileByTile) {
 
 TEST_F(TextureLoader, FillsTheMemoryBeforeItLeavesImagesInTheirFiles) {
   write_image(path("a.png"), 2, 2, 3, OIIO::TypeDesc::UINT8, four);  // 16 bytes
-  TextureMemory memory(40);                                           // 35 for whole images
+  TextureMemory memory(40);                                          // 35 for whole images
   for (const bool fits : {true, true, false}) {
     const TextureImage image = load_texture_image(path("a.png"), ColorSpace::srgb, repairs_, &memory);
     EXPECT_EQ(image.memory() > 0, fits);
