@@ -59,6 +59,12 @@ CLI::Validator whole_number() {
 }
 
 void add_read_options(CLI::App& command, ReadOptions& options) {
+  command
+      .add_option(
+          "--texture-memory", options.texture_memory,
+          "what the images of all textures may take, such as 2G or 500M; others stay in their files and are "
+          "read tile by tile; default: 4G")
+      ->transform(CLI::AsSizeValue(false));
   command.add_flag(
       "--lenient", options.lenient,
       "leave out what a file of another renderer asks for and umbral lacks; told in the image's header");

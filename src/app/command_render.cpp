@@ -1,4 +1,5 @@
 // `umbral render`: from a scene file to an EXR, a PNG and one line about both.
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -142,6 +143,17 @@ int exit_code_of(const RenderResult& result, const RenderOptions& options) {
   return exit_success;
 }
 
+std::vector<std::string> bias_notes(const Integrator& integrator, const SceneDescription& scene) {
+  std::vector<std::string> notes = integrator.bias_notes();
+  const auto is_blurred = [](const Texture& texture) {
+    const auto* image = std::get_if<ImageTexture>(&texture.kind);
+    return image && image->filter == TextureFilter::mip;
+  };
+  if (std::any_of(scene.textures.begin(), scene.textures.end(), is_blurred))
+    notes.emplace_back("textures of filter mip are blurred to the width of a path");
+  return notes;
+}
+
 int command(const Arguments& arguments) {
   std::optional<ThreadLimit> threads;
   if (arguments.threads > 0) threads.emplace(arguments.threads);
@@ -153,7 +165,7 @@ int command(const Arguments& arguments) {
   const RenderJob job{arguments.scene,
                       kind,
                       integrator_text(kind, integrator),
-                      integrator.bias_notes(),
+                      bias_notes(integrator, loaded.file.scene),
                       loaded.file.hash,
                       render_options(arguments, loaded.file),
                       loaded.file.left_out};

@@ -1,8 +1,11 @@
 // What a caller asks of the readers of scene files.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+
+#include "image/texture_memory.h"
 
 namespace umbral {
 
@@ -11,6 +14,8 @@ struct ReadOptions {
   bool lenient = false;
   // Values for the parameters that a Mitsuba file declares with <default>.
   std::map<std::string, std::string> definitions;
+  // Bytes that the texels of all images may take.
+  std::uint64_t texture_memory = default_texture_memory;
 };
 
 }  // namespace umbral

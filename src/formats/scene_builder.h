@@ -35,7 +35,10 @@ struct ObjectDraft {
 class SceneBuilder {
  public:
   SceneBuilder(Diagnostics& diagnostics_, InputFiles& files_, ReadOptions options_ = {})
-      : diagnostics(diagnostics_), files(files_), options(std::move(options_)) {}
+      : diagnostics(diagnostics_),
+        files(files_),
+        options(std::move(options_)),
+        texture_memory(static_cast<std::size_t>(options.texture_memory)) {}
 
   Diagnostics& diagnostics;
   InputFiles& files;

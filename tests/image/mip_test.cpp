@@ -130,7 +130,9 @@ TEST(MipFilter, HasTheMeanOfTrilinear) {
       EXPECT_LT(glm::length(mean_of_look_ups(image, uv, Wrap::repeat, TextureFilter::mip, width) - expected),
                 2e-3)
           << width;
-      if (width <= 1) EXPECT_EQ(Spectrum(expected), image.bilinear(uv, Wrap::repeat));
+      if (width <= 1) {
+        EXPECT_EQ(Spectrum(expected), image.bilinear(uv, Wrap::repeat));
+      }
     }
 }
 
