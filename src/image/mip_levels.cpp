@@ -60,7 +60,7 @@ std::vector<TextureImage::Texels> mip_levels(const TextureImage::Texels& finest)
   std::visit(
       [&](const auto& grid) {
         using Grid = std::decay_t<decltype(grid)>;
-        if constexpr (requires { grid.set(0, 0, {}); }) {
+        if constexpr (!std::is_same_v<Grid, CachedTexels>) {
           const Grid* above = &grid;
           while (above->width() > 1 || above->height() > 1) {
             levels.push_back(half_size(*above));

@@ -53,7 +53,7 @@ TYPED_TEST(Procedural, LooksAtItsSpaceAlone) {
     const Texture& texture = scene.textures[index_of(add_texture(scene, kind))];
     const bool by_uv = kind.space == TextureSpace::uv;
     EXPECT_EQ(texture.needs(), by_uv ? 0u : texture_needs::position);
-    TexturePoint a({0.3f, 0.4f}), b({7.3f, 9.9f});
+    TexturePoint a(0.3f, 0.4f), b(7.3f, 9.9f);
     a.p = by_uv ? Vec3(1.2f, 3.4f, 5.6f) : Vec3(0.7f, 0.2f, 0.9f);
     b.p = by_uv ? Vec3(9, 8, 7) : a.p;
     if (by_uv) b.uv = a.uv;
@@ -99,7 +99,8 @@ TEST(ObjectSpace, MovesWithInstances) {
       const Ray ray{Vec3(place.point(target + Vec3d(0, 0, 2))), Vec3(place.vector({0, 0, -1}))};
       const auto surface = seen(scene, ray);
       ASSERT_TRUE(surface);
-      const Spectrum color = albedo(scene.bsdf(*surface));
+      Lobes storage;
+      const Spectrum color = albedo(scene.bsdf(*surface, storage));
       if (&place == &places[0])
         seen_first = color;
       else
