@@ -64,7 +64,7 @@ TEST_F(Cli, AnotherViewThanTheScenesOwn) {
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
     "bufferViews": [{"buffer": 0, "byteLength": 36}],
     "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
-  const std::string render = "render two.gltf --quiet --spp 1 --aux --pixel 512,128 ";
+  const std::string render = "render two.gltf --quiet --spp 1 --aux --pixel 530,118 ";
   const Outcome front = run(render);
   EXPECT_EQ(front.exit_code, 0) << front.text;
   EXPECT_NE(run(render + "--camera behind").text, front.text);  // sees nothing but the environment
