@@ -1,6 +1,8 @@
 // The unit cylinder: placement, parametrisation and ray intersection.
 #include "scene/shapes/cylinder.h"
 
+#include "scene/shapes/round.h"
+
 namespace umbral {
 namespace {
 
@@ -11,15 +13,9 @@ SurfacePoint point_of_cylinder(double cos_phi, double sin_phi, const glm::dvec2&
 
 }  // namespace
 
-// The axes across are those of frame_from_normal() [Duff et al. 2017], in double.
 Affine Cylinder::placement() const {
   const Vec3d axis = Vec3d(top) - Vec3d(bottom);
-  const Vec3d n = glm::normalize(axis);
-  const double sign = std::copysign(1.0, n.z);
-  const double a = -1 / (sign + n.z);
-  const double b = n.x * n.y * a;
-  const Vec3d s(1 + sign * n.x * n.x * a, sign * b, -sign * n.x);
-  const Vec3d t(b, sign + n.y * n.y * a, -n.y);
+  const auto [s, t] = axes_across(glm::normalize(axis));
   return {glm::dmat3(static_cast<double>(radius) * s, static_cast<double>(radius) * t, axis), Vec3d(bottom)};
 }
 
@@ -34,8 +30,7 @@ SurfacePoint Cylinder::at(const glm::dvec2& uv) const {
 
 SurfacePoint Cylinder::nearest(const Vec3d& p) const {
   const double r = std::hypot(p.x, p.y);
-  const double turns = std::atan2(p.y, p.x) / (2 * pi_d);
-  const glm::dvec2 uv(r > 0 ? (turns < 0 ? turns + 1 : turns) : 0, glm::clamp(p.z, 0.0, 1.0));
+  const glm::dvec2 uv(r > 0 ? turns_around_z(p) : 0, glm::clamp(p.z, 0.0, 1.0));
   return r > 0 ? point_of_cylinder(p.x / r, p.y / r, uv) : point_of_cylinder(1, 0, uv);
 }
 

@@ -2,6 +2,7 @@
 #include "scene/shapes/disk.h"
 
 #include "core/warp.h"
+#include "scene/shapes/round.h"
 
 namespace umbral {
 namespace {
@@ -13,14 +14,9 @@ SurfacePoint point_of_disk(double cos_phi, double sin_phi, const glm::dvec2& uv)
 
 }  // namespace
 
-// The plane's axes are those of frame_from_normal() [Duff et al. 2017], in double.
 Affine Disk::placement() const {
   const Vec3d n = glm::normalize(Vec3d(normal));
-  const double sign = std::copysign(1.0, n.z);
-  const double a = -1 / (sign + n.z);
-  const double b = n.x * n.y * a;
-  const Vec3d s(1 + sign * n.x * n.x * a, sign * b, -sign * n.x);
-  const Vec3d t(b, sign + n.y * n.y * a, -n.y);
+  const auto [s, t] = axes_across(n);
   return {static_cast<double>(radius) * glm::dmat3(s, t, n), Vec3d(center)};
 }
 
@@ -35,8 +31,7 @@ SurfacePoint Disk::at(const glm::dvec2& uv) const {
 
 SurfacePoint Disk::nearest(const Vec3d& p) const {
   const double r = std::hypot(p.x, p.y);
-  const double turns = std::atan2(p.y, p.x) / (2 * pi_d);
-  const glm::dvec2 uv(turns < 0 ? turns + 1 : turns, std::min(r, 1.0));
+  const glm::dvec2 uv(turns_around_z(p), std::min(r, 1.0));
   return r > 0 ? point_of_disk(p.x / r, p.y / r, uv) : point_of_disk(1, 0, uv);
 }
 

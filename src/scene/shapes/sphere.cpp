@@ -1,6 +1,8 @@
 // The unit sphere: placement, parametrisation and ray intersection.
 #include "scene/shapes/sphere.h"
 
+#include "scene/shapes/round.h"
+
 namespace umbral {
 namespace {
 
@@ -32,9 +34,8 @@ SurfacePoint Sphere::nearest(const Vec3d& p) const {
   const double rho = std::hypot(p.x, p.y), length = std::hypot(rho, p.z);
   const Turn theta = length > 0 ? Turn{p.z / length, rho / length} : Turn{1, 0};
   const Turn phi = rho > 0 ? Turn{p.x / rho, p.y / rho} : Turn{1, 0};
-  const double turns = std::atan2(p.y, p.x) / (2 * pi_d);
   const double v = 1 - std::atan2(theta.sine, theta.cosine) / pi_d;
-  return point_of_sphere(theta, phi, {turns < 0 ? turns + 1 : turns, v});
+  return point_of_sphere(theta, phi, {turns_around_z(p), v});
 }
 
 SurfacePoint Sphere::sample(const Vec2& u) const {
