@@ -56,7 +56,7 @@ MaterialId add_matte(SceneDescription& scene, float reflectance) {
   return static_cast<MaterialId>(scene.materials.size() - 1);
 }
 
-MaterialId add_textured(SceneDescription& scene, const BoxTextures& textures, std::uint64_t seed) {
+MaterialId add_textured(SceneDescription& scene, const RoomTextures& textures, std::uint64_t seed) {
   if (textures.size == 0) return add_matte(scene, 0.4f);
   const std::shared_ptr<TextureImage> texels = noise_image(textures.size, 4, seed);
   if (textures.filter == TextureFilter::mip) texels->build_levels();
@@ -85,7 +85,7 @@ void add(SceneDescription& scene, ShapeKinds kind, MaterialId material, const Sp
 }
 
 // A room with two balls, each of its eight shapes a grid of cells × cells with a texture of its own.
-SceneDescription textured(int wall_cells, int ball_cells, float relief, const BoxTextures& textures) {
+SceneDescription textured(int wall_cells, int ball_cells, float relief, const RoomTextures& textures) {
   SceneDescription scene;
   const auto material = [&] { return add_textured(scene, textures, scene.shapes.size()); };
   const auto wall = [&](const Vec3& origin, const Vec3& u, const Vec3& v) {
@@ -121,10 +121,10 @@ SceneDescription cornell_box() {
   return std::move(load_scene(UMBRAL_SOURCE_DIR "/scenes/cornell-box/cornell-box.toml").file.scene);
 }
 
-SceneDescription textured_box(const BoxTextures& textures) { return textured(1, 12, 0, textures); }
+SceneDescription textured_box(const RoomTextures& textures) { return textured(1, 12, 0, textures); }
 
 // 8 grids of 2 · 354² triangles: two million.
-SceneDescription textured_room() { return textured(354, 354, 0.02f, {1448}); }
+SceneDescription textured_room(const RoomTextures& textures) { return textured(354, 354, 0.02f, textures); }
 
 SceneDescription instanced_field() {
   constexpr int cells = 224;  // 2 · 224² = 100 352 triangles

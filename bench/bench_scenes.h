@@ -9,16 +9,17 @@ namespace umbral::bench {
 SceneDescription cornell_box();
 
 // On each of the eight shapes of the room below; a size of 0 for one grey instead.
-struct BoxTextures {
+struct RoomTextures {
   int size = 2048;
   TextureFilter filter = TextureFilter::bilinear;
 };
 
 // A room like a box, of few triangles, with two balls.
-SceneDescription textured_box(const BoxTextures& textures = {});
+SceneDescription textured_box(const RoomTextures& textures = {});
 
-// The same room with walls and balls that are displaced grids of two million triangles in all, and 64 MiB of textures.
-SceneDescription textured_room();
+// The same room with walls and balls that are displaced grids of two million triangles in all; its textures take 64 MiB
+// unless said otherwise.
+SceneDescription textured_room(const RoomTextures& textures = {1448});
 
 // A thousand instances of one shape of a hundred thousand triangles, under an area light and a constant sky.
 SceneDescription instanced_field();

@@ -28,18 +28,40 @@ double peak_mebibytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+struct NamedScene {
+  const char* name;
+  SceneDescription (*make)();
+};
+
+constexpr NamedScene scenes[]{
+    {"cornell-box", cornell_box},
+    {"textured-box", [] { return textured_box(); }},
+    {"textured-box-stochastic",
+     [] {
+       return textured_box({2048, TextureFilter::stochastic});
+     }},
+    {"textured-box-mip",
+     [] {
+       return textured_box({2048, TextureFilter::mip});
+     }},
+    {"grey-box", [] { return textured_box({0}); }},
+    {"textured-room", [] { return textured_room(); }},
+    {"textured-room-2048", [] { return textured_room({2048}); }},
+    {"textured-room-mip",
+     [] {
+       return textured_room({2048, TextureFilter::mip});
+     }},
+    {"grey-room", [] { return textured_room({0}); }},
+    {"instances", instanced_field},
+};
+
 SceneDescription scene_by_name(const std::string& name) {
-  if (name == "cornell-box") return cornell_box();
-  if (name == "textured-box") return textured_box();
-  if (name == "textured-box-stochastic") return textured_box({2048, TextureFilter::stochastic});
-  if (name == "textured-box-mip") return textured_box({2048, TextureFilter::mip});
-  if (name == "grey-box") return textured_box({0});
-  if (name == "textured-room") return textured_room();
-  if (name == "instances") return instanced_field();
-  throw std::invalid_argument(
-      "scenes are cornell-box, textured-box, textured-box-stochastic, textured-box-mip, grey-box, "
-      "textured-room and instances, not '" +
-      name + "'");
+  std::string known;
+  for (const NamedScene& scene : scenes) {
+    if (name == scene.name) return scene.make();
+    known += std::string(known.empty() ? "" : ", ") + scene.name;
+  }
+  throw std::invalid_argument("scenes are " + known + "; not '" + name + "'");
 }
 
 void run(const std::string& name, int threads, int spp) {
@@ -61,7 +83,7 @@ void run(const std::string& name, int threads, int spp) {
   const double cpu = cpu_seconds() - before;
   const ImageError error = result.film->image_error();
   const double paths_a_second = error.samples / cpu / 1e6;
-  fmt::print("{:<14} {:8.3f} {:8.2f} {:8.3f} {:8.1f} {:9.0f} {:11.0f} {:8.2f} {:10.3g}\n", name,
+  fmt::print("{:<18} {:8.3f} {:8.2f} {:8.3f} {:8.1f} {:9.0f} {:11.0f} {:8.2f} {:10.3g}\n", name,
              paths_a_second, paths_a_second * rays_a_path, error.samples / result.seconds / 1e6,
              100 * embree.share(), peak_mebibytes(), static_cast<double>(scene.accel_bytes()) / (1 << 20),
              100 * error.relative(), 1 / (sqr(error.relative()) * cpu));
@@ -72,7 +94,7 @@ void run(const std::string& name, int threads, int spp) {
 
 int main(int argc, char** argv) {
   if (argc == 2 && std::string(argv[1]) == "--header") {
-    fmt::print("{:<14} {:>8} {:>8} {:>8} {:>8} {:>9} {:>11} {:>8} {:>10}\n", "scene", "Mpath/sc", "Mray/sc",
+    fmt::print("{:<18} {:>8} {:>8} {:>8} {:>8} {:>9} {:>11} {:>8} {:>10}\n", "scene", "Mpath/sc", "Mray/sc",
                "Mpath/s", "Embree %", "peak MiB", "Embree MiB", "error %", "eff. /sc");
     return 0;
   }
