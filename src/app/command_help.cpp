@@ -48,6 +48,12 @@ void add_materials(std::vector<Topic>& topics) {
   });
 }
 
+const ParameterText transform{
+    {"transform",
+     "steps in order: {translate=[…]}, {scale=…}, {rotate={axis=[…], degrees=…}}, {matrix=[4 rows]}"},
+    "list",
+    "[]"};
+
 void add_shapes(std::vector<Topic>& topics) {
   const std::vector<ParameterText> common{
       {{"material", "name of a material; required"}, "text", ""},
@@ -55,15 +61,42 @@ void add_shapes(std::vector<Topic>& topics) {
        "colour or texture",
        "0"},
       {{"two_sided", "emits on the inner side too"}, "true or false", "false"},
-      {{"transform",
-        "steps in order: {translate=[…]}, {scale=…}, {rotate={axis=[…], degrees=…}}, {matrix=[4 rows]}"},
-       "list",
-       "[]"},
+      transform,
       {{"name", "for messages"}, "text", "\"\""}};
+  const std::vector<ParameterText> written_out{
+      {{"vertices", "[[x, y, z], …], instead of a file"}, "list", ""},
+      {{"faces", "[[a, b, c, …], …]: vertices from 0; three or more, counter-clockwise outside"}, "list", ""},
+      {{"normals", "of each vertex; without them faces are flat"}, "list", ""},
+      {{"uvs", "of each vertex; uvs1: the second uv"}, "list", ""},
+      {{"colors", "of each vertex, for the texture vertex_color"}, "list", ""}};
   const std::size_t first = topics.size();
   add_kinds<ShapeKinds>("shape", topics);
-  for (std::size_t i = first; i < topics.size(); ++i)
-    topics[i].parameters.insert(topics[i].parameters.end(), common.begin(), common.end());
+  for (std::size_t i = first; i < topics.size(); ++i) {
+    std::vector<ParameterText>& parameters = topics[i].parameters;
+    if (topics[i].kind == Mesh::kind)
+      parameters.insert(parameters.end(), written_out.begin(), written_out.end());
+    parameters.insert(parameters.end(), common.begin(), common.end());
+  }
+}
+
+// What puts a scene together; the reader of scene files knows these keys without a table.
+void add_structure(std::vector<Topic>& topics) {
+  topics.push_back({"object",
+                    "",
+                    "[objects.NAME]: shapes that stand nowhere by themselves, for instances to place",
+                    {{{"shapes", "[[objects.NAME.shapes]]"}, "list of shapes", ""},
+                     {{"include", "[[objects.NAME.include]]"}, "list of included files", ""}}});
+  topics.push_back({"instance",
+                    "",
+                    "[[instances]]: an object in one of its places; memory holds it once",
+                    {{{"object", "name of an object; required"}, "text", ""}, transform}});
+  topics.push_back({"include",
+                    "",
+                    "[[include]]: what a glTF, OBJ, PLY or STL file holds",
+                    {{{"file", "relative to the scene file; required"}, "text", ""},
+                     {{"material", "for all of it, instead of its own"}, "text", ""},
+                     {{"materials", "{its_name = \"ours\"}: replaces them by name"}, "table", ""},
+                     transform}});
 }
 
 std::vector<Topic> all_topics() {
@@ -87,6 +120,7 @@ std::vector<Topic> all_topics() {
   topics.push_back(topic_of("light", environment));
   SkyLight sky;
   topics.push_back(topic_of("light", sky));
+  add_structure(topics);
   return topics;
 }
 
@@ -100,7 +134,7 @@ void print_topic(const Topic& topic) {
   }
 }
 
-void print_overview(const std::vector<Topic>& topics) {
+void print_overview(const std::vector<Topic>& topics, const CLI::App& app) {
   fmt::print("umbral help GROUP [KIND] or umbral help KIND explains what a scene file may hold:\n");
   std::string group;
   for (const Topic& topic : topics) {
@@ -109,8 +143,9 @@ void print_overview(const std::vector<Topic>& topics) {
     fmt::print(" {}", topic.kind.empty() ? topic.doc : topic.kind);
     group = topic.group;
   }
-  fmt::print(
-      "\numbral COMMAND --help explains a command: render, compare, converge, check, info, merge, help.\n");
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  fmt::print("\numbral COMMAND --help explains a command: {}.\n", fmt::join(commands, ", "));
 }
 
 // What "GROUP", "GROUP KIND" or "KIND" means: a kind may be one of several groups.
@@ -132,9 +167,9 @@ std::vector<const Topic*> chosen_topics(const std::vector<Topic>& topics, const 
                                 suggestion(word, nearest_name(word, words).empty() ? groups : words));
 }
 
-void print_help(const std::string& word, const std::string& kind) {
+void print_help(const std::string& word, const std::string& kind, const CLI::App& app) {
   const std::vector<Topic> topics = all_topics();
-  if (word.empty()) return print_overview(topics);
+  if (word.empty()) return print_overview(topics, app);
   bool printed = false;
   for (const Topic* topic : chosen_topics(topics, word, kind)) {
     if (printed) fmt::print("\n");
@@ -151,15 +186,16 @@ void add_help_command(CLI::App& app, int& exit_code) {
     std::string group, kind;
   };
   auto arguments = std::make_shared<Arguments>();
-  help->add_option(
-      "group", arguments->group,
-      "material, texture, shape, light, integrator, camera, film, sampling, or a kind of them, or a command");
+  help->add_option("group", arguments->group,
+                   "material, texture, shape, light, integrator, camera, film, sampling, object, instance, "
+                   "include, or a kind "
+                   "of them, or a command");
   help->add_option("kind", arguments->kind, "one of its kinds");
   help->callback([arguments, &app, &exit_code] {
     exit_code = exit_success;
     for (const CLI::App* command : app.get_subcommands({}))
       if (command->get_name() == arguments->group) return void(fmt::print("{}", command->help()));
-    print_help(arguments->group, arguments->kind);
+    print_help(arguments->group, arguments->kind, app);
   });
 }
 
