@@ -94,7 +94,7 @@ TEST(ObjectSpace, MovesWithInstances) {
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     const Vec3d target(random.between(-0.9, 0.9), random.between(-0.9, 0.9), 1);
-    Spectrum seen_first;
+    Spectrum seen_first = black;
     for (const Affine& place : places) {
       const Ray ray{Vec3(place.point(target + Vec3d(0, 0, 2))), Vec3(place.vector({0, 0, -1}))};
       const auto surface = seen(scene, ray);
