@@ -47,7 +47,10 @@ void apply_view(const ViewArguments& view, SceneFile& file) {
   replace(view.look_at, camera.look_at);
   replace(view.up, camera.up);
   if (view.fov && *view.fov >= 180) refuse("--fov must be below 180 degrees");
-  if (view.fov) camera.fov = *view.fov;
+  if (view.fov) {
+    camera.fov = *view.fov;
+    camera.orthographic_height = 0;
+  }
   const Vec3 direction = camera.look_at - camera.position;
   const float sideways = glm::length(cross(direction, camera.up));
   if (direction == Vec3(0)) refuse("--look-at is where the camera is: there is no direction to look in");

@@ -34,6 +34,13 @@ struct EnumNames<Wrap> {
   static constexpr std::array<const char*, 4> names{"repeat", "mirror", "clamp", "none"};
 };
 
+// In u and in v.
+struct Wraps {
+  Wrap u, v;
+  Wraps(Wrap both) : u(both), v(both) {}  // NOLINT(google-explicit-constructor): one for both nearly always
+  Wraps(Wrap u_, Wrap v_) : u(u_), v(v_) {}
+};
+
 // How texels are joined. `stochastic`: one of the four, with the probability that is its weight [Pharr et al. 2024]: the
 // mean is that of bilinear. `mip`: likewise, of two levels of detail, chosen by the width that the look-up stands for.
 enum class TextureFilter { bilinear, nearest, stochastic, mip };
@@ -68,13 +75,13 @@ class TextureImage {
   }
 
   // At any uv; one that is not a number counts as 0.
-  Spectrum bilinear(const Vec2& uv, Wrap wrap) const;
-  Spectrum nearest(const Vec2& uv, Wrap wrap) const;
-  Spectrum lookup(const Vec2& uv, Wrap wrap, TextureFilter filter,
+  Spectrum bilinear(const Vec2& uv, Wraps wraps) const;
+  Spectrum nearest(const Vec2& uv, Wraps wraps) const;
+  Spectrum lookup(const Vec2& uv, Wraps wraps, TextureFilter filter,
                   const TextureFootprint& footprint = {}) const {
-    if (filter == TextureFilter::bilinear) return bilinear(uv, wrap);
-    return filter == TextureFilter::nearest ? nearest(uv, wrap)
-                                            : filtered(uv, wrap, filter == TextureFilter::mip, footprint);
+    if (filter == TextureFilter::bilinear) return bilinear(uv, wraps);
+    return filter == TextureFilter::nearest ? nearest(uv, wraps)
+                                            : filtered(uv, wraps, filter == TextureFilter::mip, footprint);
   }
 
   // Adds the levels of detail that `mip` wants; without them it sees the finest alone.
@@ -94,7 +101,7 @@ class TextureImage {
   std::size_t memory() const;
 
  private:
-  Spectrum filtered(const Vec2& uv, Wrap wrap, bool by_level, const TextureFootprint& footprint) const;
+  Spectrum filtered(const Vec2& uv, Wraps wraps, bool by_level, const TextureFootprint& footprint) const;
 
   Texels texels_;
   std::vector<Texels> levels_;  // from half the size on

@@ -34,6 +34,14 @@ TEST(SceneWarnings, NoLight) {
             "scene.toml: warning: there is no light: no shape emits, and there are no 'lights'\n");
 }
 
+TEST(SceneWarnings, FovOfAnOrthographicCamera) {
+  EXPECT_EQ(
+      warnings_of("[camera]\nposition = [0, 0, 5]\northographic_height = 3\nfov = 30\n" + std::string(matte) +
+                  environment + shape("type = \"sphere\"")),
+      "scene.toml:4:1: warning: 'fov' has no effect where 'orthographic_height' is given\n    4 | fov = 30\n"
+      "      | ^\n");
+}
+
 TEST(SceneWarnings, CameraInsideClosedShapes) {
   const auto inside = [](const std::string& rest) {
     return warnings_of(std::string(camera) + matte + environment + shape(rest + "\nname = \"room\""));

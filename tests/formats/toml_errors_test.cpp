@@ -38,6 +38,7 @@ class GoldenTomlErrors : public testing::TestWithParam<Golden> {};
 TEST_P(GoldenTomlErrors, HaveThisText) {
   const SceneFolder folder;
   folder.write("black.tga", test::tga(2, 2, 0, 0, 0, 255));
+  folder.write("white.tga", test::tga(2, 2, 255, 255, 255, 255));
   folder.write("empty.ply", "");
   folder.write("empty.ies", "");
   EXPECT_EQ(folder.errors_of_toml(GetParam().scene) + '\n', GetParam().message);
@@ -108,7 +109,7 @@ TEST(TomlErrors, CaretStandsUnderTheCharacterNotTheByte) {
   EXPECT_EQ(folder.errors_of_toml("camera = { position = [0, 0, 5], \"größe\" = 1 }\n"),
             "scene.toml:1:34: error: 'größe' is not a parameter of 'camera'; known are 'position', "
             "'look_at', 'up', "
-            "'fov', 'lens_radius', 'focus_distance', 'mirrored' and 'shift'\n"
+            "'fov', 'orthographic_height', 'lens_radius', 'focus_distance', 'mirrored' and 'shift'\n"
             "    1 | camera = { position = [0, 0, 5], \"größe\" = 1 }\n"
             "      |                                  ^");
 }

@@ -107,6 +107,31 @@ TEST(TextureImage, NearestMirrorsAndClamps) {
   EXPECT_EQ(at(1, Wrap::none), image.texel(3, 0));
 }
 
+// Each axis as an image that wraps both that way.
+TEST(TextureImage, AxesWrapEachInTheirOwnWay) {
+  const TextureImage image = random_texture(4, 3);
+  const auto alone = [](float u, Wrap wrap) {  // the place in the unit interval that it stands for
+    if (wrap == Wrap::repeat) return u - std::floor(u);
+    if (wrap == Wrap::mirror) return 1 - std::abs(u - 2 * std::floor(u / 2) - 1);
+    return glm::clamp(u, 0.0f, 1.0f);
+  };
+  for (const Wrap across : {Wrap::repeat, Wrap::mirror, Wrap::clamp})
+    for (const Wrap up : {Wrap::repeat, Wrap::mirror, Wrap::clamp})
+      for (const Vec2 uv : {Vec2(0.6f, 0.4f), Vec2(-0.3f, 1.45f), Vec2(1.4f, -0.6f), Vec2(2.6f, 3.4f)}) {
+        const Vec2 inside(alone(uv.x, across), alone(uv.y, up));
+        EXPECT_EQ(image.nearest(uv, {across, up}), image.nearest(inside, Wrap::clamp));
+        const Spectrum found = image.bilinear(uv, {across, up}),
+                       expected = image.bilinear(inside, {across, up});
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(found[c], expected[c], 1e-5f);
+      }
+  // Beyond the edge in u it repeats, in v it stays.
+  const Spectrum seam = mix(image.texel(3, 2), image.texel(0, 2), 0.5f);
+  for (int c = 0; c < 4; ++c)
+    EXPECT_NEAR(image.bilinear({1, 5}, {Wrap::repeat, Wrap::clamp})[c], seam[c], 1e-6f);
+  EXPECT_EQ(image.nearest({0.5f, 1.1f}, {Wrap::repeat, Wrap::none}), Spectrum(0.0f));
+  EXPECT_EQ(image.nearest({1.1f, 0.5f}, {Wrap::repeat, Wrap::none}), image.texel(0, 1));
+}
+
 TEST(TextureImage, VPointsUp) {
   TexelGrid<Float4> grid(1, 2);
   grid.set(0, 0, rgb(1, 0, 0));

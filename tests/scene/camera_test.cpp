@@ -42,6 +42,23 @@ TEST(Camera, LooksAtThePointItIsTold) {
   EXPECT_EQ(ray.t_max, infinity);
 }
 
+TEST(Camera, OrthographicRaysAreParallelAndStartInItsPlane) {
+  CameraSettings settings = looking({1, 2, 3}, {1, 2, -5}, 40);
+  settings.orthographic_height = 6;
+  settings.lens_radius = 1;  // has no part in it
+  const Camera camera(settings, 400, 200);
+  EXPECT_FALSE(camera.has_lens());
+  for (const Vec2 film : {Vec2(0, 0), Vec2(200, 100), Vec2(400, 200), Vec2(50, 10)}) {
+    const Ray ray = camera.ray(film, middle_of_lens);
+    EXPECT_EQ(ray.d, Vec3(0, 0, -1));
+    EXPECT_LT(glm::length(ray.o - Vec3(1 + (film.x - 200) * 0.03f, 2 - (film.y - 100) * 0.03f, 3)), 1e-5f);
+    EXPECT_FLOAT_EQ(ray.width, 0.03f / 4);
+    EXPECT_EQ(ray.spread, 0);
+  }
+  settings.shift = {0.5f, 0};
+  EXPECT_LT(glm::length(Camera(settings, 400, 200).ray({200, 100}, middle_of_lens).o - Vec3(4, 2, 3)), 1e-5f);
+}
+
 TEST(Camera, SpansItsVerticalAngleWhateverTheAspect) {
   for (const float fov : {1.0f, 40.0f, 90.0f, 150.0f})
     for (const auto& [width, height] : {std::pair{512, 512}, {1920, 800}, {100, 700}, {1, 1}}) {

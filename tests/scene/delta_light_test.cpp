@@ -57,6 +57,23 @@ TEST(SpotLight, FadesBySmoothStepFromTheEdgeToTheCone) {
   for (const double outside : {40.1, 60.0, 90.0, 179.0}) EXPECT_EQ(share_at(spot, outside), 0) << outside;
 }
 
+TEST(SpotLight, FadesStraightOrByItsCosineWhereAsked) {
+  SpotLight spot = spot_of(40, 10);
+  const double end = std::cos(glm::radians(40.0)), full = std::cos(glm::radians(30.0));
+  for (const double angle : {31.0, 32.5, 35.0, 38.0, 39.5}) {
+    spot.edge = SpotEdge::linear;
+    EXPECT_NEAR(share_at(spot, angle), (40 - angle) / 10, 1e-4) << angle;
+    spot.edge = SpotEdge::smooth_cosine;
+    const double t = (std::cos(glm::radians(angle)) - end) / (full - end);
+    EXPECT_NEAR(share_at(spot, angle), t * t * (3 - 2 * t), 1e-4) << angle;
+  }
+  for (const SpotEdge edge : {SpotEdge::linear, SpotEdge::smooth_cosine}) {
+    spot.edge = edge;
+    EXPECT_NEAR(share_at(spot, 29.9), 1, 2e-6);
+    EXPECT_EQ(share_at(spot, 40.1), 0);
+  }
+}
+
 TEST(SpotLight, MayEndSharplyFadeAllOverOrShineEverywhere) {
   EXPECT_NEAR(share_at(spot_of(40, 0), 39.99), 1, 2e-6);
   EXPECT_EQ(share_at(spot_of(40, 0), 40.01), 0);

@@ -55,6 +55,22 @@ TEST(MixTexture, GoesFromOneInputToTheOther) {
   EXPECT_EQ(Vec3(texture.color({right, 0})), Vec3(0.5f));
 }
 
+TEST(DirectionTexture, IsTheAngleInRedAndGreen) {
+  const auto at = [](const Vec2& direction, float rotation) {
+    SceneDescription scene;
+    DirectionTexture angles;
+    angles.texture.map =
+        add_texture(scene, checker(rgb((direction.x + 1) / 2, (direction.y + 1) / 2, 0), black));
+    angles.rotation = rotation;
+    return scene.textures[index_of(add_texture(scene, angles))].number({left, 0});
+  };
+  EXPECT_NEAR(at({1, 0}, 0), 0, 1e-4);
+  EXPECT_NEAR(at({0, 1}, 0), 90, 1e-4);
+  EXPECT_NEAR(at({-0.6f, -0.6f}, 0), 225, 1e-3);
+  EXPECT_NEAR(at({0.5f, -0.5f}, 30), 345, 1e-3);
+  EXPECT_NEAR(at({0, 0.2f}, 300), 30, 1e-3);
+}
+
 TEST(RampTexture, FindsTheColourBetweenStops) {
   const auto at = [](float number, RampInterpolation interpolation) {
     SceneDescription scene;

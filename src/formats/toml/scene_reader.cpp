@@ -86,6 +86,11 @@ void SceneReader::read_camera() {
   if (table.has("focus_distance") && !table.has("lens_radius"))
     context_.error(*table.find_entry("focus_distance"),
                    "'focus_distance' has no effect without 'lens_radius'");
+  for (const char* name : {"fov", "lens_radius"})
+    if (camera.orthographic_height > 0 && table.has(name))
+      context_.diagnostics.warning(
+          context_.place(*table.find_entry(name)),
+          fmt::format("'{}' has no effect where 'orthographic_height' is given", name));
 }
 
 void SceneReader::read_integrator(const IntegratorKinds& integrators, std::string& chosen) {

@@ -7,11 +7,6 @@
 #include "formats/toml/parameter_reader.h"
 
 namespace umbral::toml_file {
-namespace {
-
-constexpr std::string_view udim_mark = "<UDIM>";
-
-}  // namespace
 
 void TextureLibrary::open_section(const Value& section) {
   named_.open_section(section, [&](const Entry& entry, const Value::Table& table) {
@@ -59,14 +54,13 @@ bool TextureLibrary::check(const Texture& texture, TableReader& table) const {
 void TextureLibrary::load_tiles(ImageTexture& texture, const Place& place) {
   const std::filesystem::path path = (folder_ / texture.file).lexically_normal();
   const std::string name = path.filename().string();
-  const std::size_t mark = name.find(udim_mark);
+  const bool marked = name.find(UdimTiles::mark) != std::string::npos;
   auto tiles = std::make_shared<UdimTiles>();
-  for (int number = 1001; mark != std::string::npos && number <= 9999; ++number) {
-    std::string file = name;
-    file.replace(mark, udim_mark.size(), std::to_string(number));
+  for (int number = UdimTiles::first; marked && number <= 9999; ++number) {
+    const std::string file = UdimTiles::file_of(name, number);
     std::error_code absent;
     if (!std::filesystem::exists(path.parent_path() / file, absent)) continue;
-    tiles->images.resize(static_cast<std::size_t>(number - 1000));
+    tiles->images.resize(static_cast<std::size_t>(number - UdimTiles::first + 1));
     tiles->images.back() = builder_.image(path.parent_path() / file, texture.color_space, place,
                                           texture.filter == TextureFilter::mip);
     if (!texture.image) texture.image = tiles->images.back();
@@ -81,7 +75,7 @@ bool TextureLibrary::load_image(ImageTexture& texture, TableReader& table) {
   if (texture.file.empty()) return false;
   const Place place = context_.place(*table.find("file"));
   try {
-    if (texture.file.find(udim_mark) != std::string::npos)
+    if (texture.file.find(UdimTiles::mark) != std::string::npos)
       load_tiles(texture, place);
     else
       texture.image = builder_.image((folder_ / texture.file).lexically_normal(), texture.color_space, place,

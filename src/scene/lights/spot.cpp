@@ -6,10 +6,13 @@ namespace umbral {
 float SpotLight::falloff(float cos_angle) const {
   const float angle = glm::degrees(std::acos(glm::clamp(cos_angle, -1.0f, 1.0f)));
   if (angle >= cone_angle) return 0;
-  const float edge = std::min(edge_angle, cone_angle);
-  if (angle <= cone_angle - edge) return 1;
-  const float t = (cone_angle - angle) / edge;
-  return t * t * (3 - 2 * t);
+  const float width = std::min(edge_angle, cone_angle);
+  if (angle <= cone_angle - width) return 1;
+  const float t = (cone_angle - angle) / width;
+  if (edge == SpotEdge::linear) return t;
+  if (edge == SpotEdge::smooth) return t * t * (3 - 2 * t);
+  const float end = std::cos(glm::radians(cone_angle)), full = std::cos(glm::radians(cone_angle - width));
+  return glm::smoothstep(end, full, cos_angle);
 }
 
 std::optional<LightSample> SpotLight::sample(const Vec3& p) const {
@@ -24,10 +27,10 @@ std::optional<LightSample> SpotLight::sample(const Vec3& p) const {
 
 LightBounds SpotLight::bounds() const {
   LightBounds bounds = bounds_of_point(Vec3d(position), luminance(intensity));
-  const float edge = std::min(edge_angle, cone_angle);
+  const float width = std::min(edge_angle, cone_angle);
   bounds.normals = {glm::normalize(Vec3d(target) - Vec3d(position)),
-                    glm::radians(static_cast<double>(cone_angle - edge))};
-  bounds.fade = glm::radians(static_cast<double>(edge));
+                    glm::radians(static_cast<double>(cone_angle - width))};
+  bounds.fade = glm::radians(static_cast<double>(width));
   return bounds;
 }
 

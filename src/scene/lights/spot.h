@@ -1,6 +1,7 @@
 // Spot lights.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -10,14 +11,23 @@
 
 namespace umbral {
 
-// A point light whose intensity is full within cone_angle − edge_angle of its axis and goes to zero at cone_angle,
-// by the smooth step t²(3 − 2t) of the angle.
+// How the intensity of a spot light goes to zero: by the smooth step t²(3 − 2t) of the angle, of its cosine (as pbrt-v4), or
+// straight with the angle (as Mitsuba 3).
+enum class SpotEdge { smooth, smooth_cosine, linear };
+
+template <>
+struct EnumNames<SpotEdge> {
+  static constexpr std::array names{"smooth", "smooth_cosine", "linear"};
+};
+
+// A point light whose intensity is full within cone_angle − edge_angle of its axis and goes to zero at cone_angle.
 struct SpotLight {
   Vec3 position{0, 0, 0};
   Vec3 target{0, 0, -1};
   Spectrum intensity = grey(1);
   float cone_angle = 30;
   float edge_angle = 5;
+  SpotEdge edge = SpotEdge::smooth;
 
   static constexpr const char* kind = "spot";
   static constexpr const char* doc = "a point that shines into a cone with a soft edge";
@@ -28,7 +38,9 @@ struct SpotLight {
                  parameter<&SpotLight::cone_angle>("cone_angle", "from the axis to where it ends, degrees",
                                                    Range{0, 180, true, false}),
                  parameter<&SpotLight::edge_angle>(
-                     "edge_angle", "over which it fades, inside the cone, degrees", Range{0, 180})};
+                     "edge_angle", "over which it fades, inside the cone, degrees", Range{0, 180}),
+                 parameter<&SpotLight::edge>(
+                     "edge", "how it fades: by a smooth step of the angle or of its cosine, or straight")};
 
   std::optional<LightSample> sample(const Vec3& p) const;
   double power() const;

@@ -6,7 +6,7 @@ namespace umbral {
 Spectrum ImageTexture::evaluate(const TexturePoint& point) const {
   Vec2 uv = placed(point);
   const TextureImage* source = image.get();
-  Wrap beyond = wrap;
+  Wraps beyond = wraps();
   if (tiles) {
     const Vec2 square = glm::floor(uv);
     source = tiles->at(square);
@@ -35,7 +35,8 @@ TextureBounds ImageTexture::bounds() const {
       low = glm::min(low, tile->min_max().first);
       high = glm::max(high, tile->min_max().second);
     }
-  if (wrap == Wrap::none || tiles) {  // beyond the image, and where there is no tile, every channel is 0
+  if (wraps().u == Wrap::none || wraps().v == Wrap::none ||
+      tiles) {  // beyond the image, and where there is no tile, every channel is 0
     low = glm::min(low, Spectrum(0.0f));
     high = glm::max(high, Spectrum(0.0f));
   }

@@ -1,8 +1,10 @@
 // A texture from an image file.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -16,9 +18,14 @@ namespace umbral {
 
 // The images of a file name with <UDIM>: tile 1001 + u + 10 v lies on the uv square (u, v).
 struct UdimTiles {
-  static constexpr int columns = 10;
+  static constexpr std::string_view mark = "<UDIM>";
+  static constexpr int columns = 10, first = 1001;
   std::vector<std::shared_ptr<const TextureImage>> images;  // by number − 1001; null where there is none
 
+  // The name of one of the files.
+  static std::string file_of(std::string name, int number) {
+    return name.replace(name.find(mark), mark.size(), std::to_string(number));
+  }
   const TextureImage* at(const Vec2& square) const {
     if (!(square.x >= 0 && square.x < columns && square.y >= 0 && square.y < 1000)) return nullptr;
     const auto index = static_cast<std::size_t>(square.x) + columns * static_cast<std::size_t>(square.y);
@@ -26,10 +33,19 @@ struct UdimTiles {
   }
 };
 
+// The wrap in v, where it is not that in u.
+enum class WrapV { as_u, repeat, mirror, clamp, none };
+
+template <>
+struct EnumNames<WrapV> {
+  static constexpr std::array names{"as_u", "repeat", "mirror", "clamp", "none"};
+};
+
 struct ImageTexture {
   std::string file;
   ColorSpace color_space = ColorSpace::automatic;
   Wrap wrap = Wrap::repeat;
+  WrapV wrap_v = WrapV::as_u;
   TextureFilter filter = TextureFilter::bilinear;
   TextureChannel channel = TextureChannel::luminance;
   float factor = 1, bias = 0;
@@ -46,6 +62,7 @@ struct ImageTexture {
                  parameter<&ImageTexture::color_space>(
                      "color_space", "how texels are stored; automatic: 8-bit is sRGB, float linear"),
                  parameter<&ImageTexture::wrap>("wrap", "what lies beyond the unit square"),
+                 parameter<&ImageTexture::wrap_v>("wrap_v", "the same in v alone, where it differs from u"),
                  parameter<&ImageTexture::filter>("filter", "how texels are joined"),
                  parameter<&ImageTexture::channel>("channel", "what a parameter that takes one number gets"),
                  parameter<&ImageTexture::factor>("factor", "multiplies each texel"),
@@ -70,6 +87,9 @@ struct ImageTexture {
   TextureBounds bounds() const;
   unsigned needs() const;
   TextureStep step() const;
+  Wraps wraps() const {
+    return wrap_v == WrapV::as_u ? Wraps(wrap) : Wraps(wrap, static_cast<Wrap>(static_cast<int>(wrap_v) - 1));
+  }
   Vec2 placed(const TexturePoint& point) const { return uv_map(point.uv_of(uv_set)); }
 };
 

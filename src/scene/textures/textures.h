@@ -7,6 +7,7 @@
 
 #include "scene/ids.h"
 #include "scene/textures/checker.h"
+#include "scene/textures/direction_texture.h"
 #include "scene/textures/image_texture.h"
 #include "scene/textures/marble_texture.h"
 #include "scene/textures/mix_texture.h"
@@ -20,8 +21,9 @@
 namespace umbral {
 
 // A new texture joins here.
-using TextureKinds = std::variant<ImageTexture, CheckerTexture, ScaleTexture, MixTexture, RampTexture,
-                                  VertexColorTexture, NoiseTexture, MarbleTexture, WoodTexture, StoneTexture>;
+using TextureKinds =
+    std::variant<ImageTexture, CheckerTexture, ScaleTexture, MixTexture, RampTexture, DirectionTexture,
+                 VertexColorTexture, NoiseTexture, MarbleTexture, WoodTexture, StoneTexture>;
 
 struct Texture {
   std::string name;
