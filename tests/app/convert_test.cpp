@@ -112,6 +112,45 @@ transform = [{ scale = 3 }, { rotate = { axis = [1, 0, 0], degrees = -70 } }]
   EXPECT_TRUE(test::contains(made, "max_depth = 3")) << made;
 }
 
+TEST_F(Convert, ImagesOfLightsStayTurnedAsTheyWere) {
+  folder.write("sky.ppm",
+               "P3 4 2 255\n255 0 0  0 255 0  0 0 255  255 255 255\n9 9 9  255 0 0  90 0 80  0 255 0\n");
+  folder.write(
+      "s.xml",
+      "<scene version='3.0.0'><emitter type='envmap'><string name='filename' value='sky.ppm'/><transform "
+      "name='to_world'><rotate x='1' y='2' z='.3' angle='73'/></transform></emitter>"
+      "<shape type='sphere'/></scene>");
+  EXPECT_TRUE(test::contains(expect_same("s.xml"), "transform = [{ matrix = "));
+  folder.write("lamp.ppm", "P3 2 2 255\n255 255 255  90 90 90\n30 30 30  255 0 0\n");
+  folder.write(
+      "s.pbrt",
+      "LookAt 0 0 4 0 0 0 0 1 0\nCamera \"perspective\"\nWorldBegin\nRotate 40 1 2 3\nLightSource "
+      "\"infinite\" \"string filename\" \"lamp.ppm\"\nTranslate 1 2 3\nScale -1 1 1\nLightSource "
+      "\"goniometric\" \"string filename\" \"lamp.ppm\" \"float scale\" 20\nIdentity Shape \"sphere\"\n");
+  const std::string made = expect_same("s.pbrt");
+  EXPECT_TRUE(test::contains(made, "mapping = \"equal_area\"")) << made;
+  EXPECT_TRUE(test::contains(made, "../lamp.ppm")) << made;
+}
+
+constexpr const char* tiled_scene = R"([materials.m]
+type = "matte"
+reflectance = { type = "image", file = "t.<UDIM>.tga", uv_scale = [2, 2], uv_offset = [0, -0.5] }
+[[shapes]]
+type = "rectangle"
+material = "m"
+[[lights]]
+type = "environment"
+)";
+
+TEST_F(Convert, TilesAreReferredToTogether) {
+  folder.write("t.1001.tga", test::tga(2, 2, 255, 0, 0, 255));
+  folder.write("t.1002.tga", test::tga(2, 2, 0, 255, 0, 255));
+  folder.write("t.1012.tga", test::tga(2, 2, 0, 0, 255, 255));
+  folder.write("s.toml", tiled_scene);
+  const std::string made = expect_same("s.toml");
+  EXPECT_TRUE(test::contains(made, "file = \"../t.<UDIM>.tga\"")) << made;
+}
+
 TEST_F(Convert, RefusesWhatWouldLoseAScene) {
   folder.write("s.toml", "[[shapes]]\ntype = \"sphere\"\nemission = 1\n");
   EXPECT_NE(run("convert s.toml s.toml").exit_code, 0);

@@ -44,20 +44,46 @@ bool ImageFiles::is_that(const std::filesystem::path& file, ColorSpace space,
   }
 }
 
+std::string ImageFiles::relative(const std::filesystem::path& file) const {
+  return std::filesystem::relative(file, folder_).generic_string();
+}
+
 ImageFiles::Place ImageFiles::place_of(const std::shared_ptr<const TextureImage>& image,
                                        const std::string& name, ColorSpace space) {
   const auto known = places_.find(image.get());
   if (known != places_.end()) return known->second;
   if (!name.empty())
     for (const std::filesystem::path& candidate : {source_ / name, std::filesystem::path(name)})
-      if (is_that(candidate, space, *image)) {
-        const std::string file = std::filesystem::relative(candidate, folder_).generic_string();
-        return places_.emplace(image.get(), Place{file, space}).first->second;
-      }
+      if (is_that(candidate, space, *image))
+        return places_.emplace(image.get(), Place{relative(candidate), space}).first->second;
   std::filesystem::create_directories(folder_ / assets_);
   const std::filesystem::path file = assets_ / fmt::format("image-{}.exr", places_.size());
   write_texels((folder_ / file).string(), *image);
   return places_.emplace(image.get(), Place{file.generic_string(), ColorSpace::linear}).first->second;
+}
+
+ImageFiles::Place ImageFiles::place_of(const UdimTiles& tiles, const std::string& name, ColorSpace space) {
+  const auto known = tile_places_.find(&tiles);
+  if (known != tile_places_.end()) return known->second;
+  const auto each = [&](const std::filesystem::path& file, auto&& visit) {
+    bool all = true;
+    for (std::size_t i = 0; i < tiles.images.size() && all; ++i)
+      if (tiles.images[i])
+        all = visit(UdimTiles::file_of(file.string(), UdimTiles::first + static_cast<int>(i)),
+                    *tiles.images[i]);
+    return all;
+  };
+  for (const std::filesystem::path& candidate : {source_ / name, std::filesystem::path(name)})
+    if (each(candidate,
+             [&](const std::string& file, const TextureImage& tile) { return is_that(file, space, tile); }))
+      return tile_places_.emplace(&tiles, Place{relative(candidate), space}).first->second;
+  std::filesystem::create_directories(folder_ / assets_);
+  const std::filesystem::path file = assets_ / fmt::format("tiles-{}.<UDIM>.exr", tile_places_.size());
+  each(folder_ / file, [](const std::string& path, const TextureImage& tile) {
+    write_texels(path, tile);
+    return true;
+  });
+  return tile_places_.emplace(&tiles, Place{file.generic_string(), ColorSpace::linear}).first->second;
 }
 
 }  // namespace umbral

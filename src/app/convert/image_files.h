@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "image/texture_image.h"
+#include "scene/textures/image_texture.h"
 
 namespace umbral {
 
@@ -24,12 +24,16 @@ class ImageFiles {
 
   /// Of an image that was called `name` and read in that space, if it came from a file. Throws OutputError.
   Place place_of(const std::shared_ptr<const TextureImage>& image, const std::string& name, ColorSpace space);
+  /// The same of the tiles of a name with <UDIM>.
+  Place place_of(const UdimTiles& tiles, const std::string& name, ColorSpace space);
 
  private:
   bool is_that(const std::filesystem::path& file, ColorSpace space, const TextureImage& image) const;
+  std::string relative(const std::filesystem::path& file) const;
 
   std::filesystem::path folder_, assets_, source_;
   std::map<const TextureImage*, Place> places_;
+  std::map<const UdimTiles*, Place> tile_places_;
 };
 
 }  // namespace umbral

@@ -108,7 +108,9 @@ void SceneWriter::add_texture(std::size_t number) {
   std::visit(
       [&](auto texture) {
         if constexpr (std::is_same_v<decltype(texture), ImageTexture>) {
-          const auto place = images_.place_of(texture.image, texture.file, texture.color_space);
+          const auto place = texture.tiles
+                                 ? images_.place_of(*texture.tiles, texture.file, texture.color_space)
+                                 : images_.place_of(texture.image, texture.file, texture.color_space);
           texture.file = place.file;
           texture.color_space = place.color_space;
         }
@@ -194,7 +196,15 @@ template <class Light>
 void SceneWriter::add_light(Light light) {
   if constexpr (requires { light.image; })
     if (light.image) light.file = images_.place_of(light.image, light.file, ColorSpace::automatic).file;
-  text_ += fmt::format("[[lights]]\ntype = \"{}\"\n{}\n", light.kind, changed_lines(light, textures_));
+  std::string turn;
+  if constexpr (requires { light.image_from_world; }) {
+    if (const std::optional<Mat3> map = light.image_from_world) {
+      if constexpr (requires { light.rotation; }) light.rotation = 0;
+      turn = fmt::format("transform = {}\n", matrix_text({glm::dmat3(glm::transpose(*map)), Vec3d(0)}));
+    }
+  }
+  text_ +=
+      fmt::format("[[lights]]\ntype = \"{}\"\n{}{}\n", light.kind, changed_lines(light, textures_), turn);
 }
 
 void SceneWriter::add_integrators(const LoadedScene& loaded) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/light_frame.h"
 #include "formats/mitsuba/colors.h"
 
 namespace umbral::mitsuba_file {
@@ -62,8 +63,7 @@ void Emitters::spot() {
   light.cone_angle = static_cast<float>(glm::clamp(properties_.number("cutoff_angle", 20), 1e-3, 180.0));
   const double full = properties_.number("beam_width", light.cone_angle * 0.75);
   light.edge_angle = static_cast<float>(glm::clamp(light.cone_angle - full, 0.0, 180.0));
-  if (light.edge_angle > 0)
-    builder_.lacks(properties_.place(), "a spot light that fades linearly; a smooth step stands in for that");
+  light.edge = SpotEdge::linear;
   properties_.lacks("texture", "an image that a spot light throws");
   builder_.lights.push_back(light);
 }
@@ -93,7 +93,7 @@ void Emitters::constant() {
   builder_.environment->prepare();
 }
 
-// Mitsuba's middle column is seen along its +z, umbral's along −z; both have y up.
+// Mitsuba's middle column is seen along its +z, umbral's along −z; both have y up: half a turn.
 void Emitters::environment_map() {
   const std::string file = properties_.text("filename", "");
   const Affine to_world = properties_.transform("to_world");
@@ -108,9 +108,11 @@ void Emitters::environment_map() {
     builder_.diagnostics.error(properties_.place(), error);
     return;
   }
+  const std::optional<Mat3> turn = light_from_world(to_world);
+  if (!turn) builder_.lacks(properties_.place(), "an environment that is stretched by its transform");
+  const Mat3 half_turn{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   light.rotation = 180;
-  if (to_world.linear != glm::dmat3(1.0))
-    builder_.lacks(properties_.place(), "an environment that is turned");
+  if (turn && *turn != Mat3(1)) light.image_from_world = half_turn * *turn;
   light.prepare();
   builder_.environment = std::move(light);
 }

@@ -3,9 +3,48 @@
 
 #include <fmt/format.h>
 
+#include "formats/light_frame.h"
 #include "formats/pbrt/colors.h"
 
 namespace umbral::pbrt_file {
+namespace {
+
+// What pbrt-v4 sums up as the irradiance that an image gives from its upper half. It counts 2π for the solid angle of all
+// texels, which is half of it: images that are scaled to an illuminance are twice as bright there, and here.
+double upper_irradiance(const TextureImage& image) {
+  double sum = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const Vec2 middle((static_cast<float>(x) + 0.5f) / static_cast<float>(image.width()),
+                        (static_cast<float>(y) + 0.5f) / static_cast<float>(image.height()));
+      const float cosine = direction_of(SphereMapping::equal_area, middle).y;
+      if (cosine > 0) sum += static_cast<double>(luminance(image.texel(x, y)) * cosine);
+    }
+  return sum * 2 * pi_d / (static_cast<double>(image.width()) * image.height());
+}
+
+bool is_grey(const TextureImage& image) {
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const Spectrum texel = image.texel(x, y);
+      if (texel.r != texel.g || texel.g != texel.b) return false;
+    }
+  return true;
+}
+
+// The mean of red, green and blue, as pbrt takes it.
+std::shared_ptr<const TextureImage> grey_image(const TextureImage& image) {
+  TexelGrid<Float4> texels(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const Spectrum texel = image.texel(x, y);
+      const float mean = (texel.r + texel.g + texel.b) / 3;
+      texels.set(x, y, {mean, mean, mean, 1});
+    }
+  return std::make_shared<const TextureImage>(std::move(texels));
+}
+
+}  // namespace
 
 Spectrum Lights::intensity(const Parameters& parameters, const char* color, double power_of_unit) const {
   double scale = parameters.number("scale", 1) * exposure_;
@@ -26,6 +65,8 @@ void Lights::add(const std::string& kind, const Parameters& parameters, const Af
     add_spot(parameters, to_world);
   } else if (kind == "distant") {
     add_distant(parameters, to_world);
+  } else if (kind == "goniometric") {
+    add_goniometric(parameters, to_world);
   } else if (kind == "infinite") {
     add_infinite(parameters, to_world);
   } else {
@@ -53,6 +94,7 @@ void Lights::add_spot(const Parameters& parameters, const Affine& to_world) {
   spot.target = Vec3(to_world.point(to));
   spot.cone_angle = static_cast<float>(cone);
   spot.edge_angle = static_cast<float>(std::min(edge, cone));
+  spot.edge = SpotEdge::smooth_cosine;
   spot.intensity = intensity(parameters, "I", 2 * pi_d * ((1 - full) + (full - end) / 2));
   builder_.lights.push_back(spot);
 }
@@ -69,13 +111,76 @@ void Lights::add_distant(const Parameters& parameters, const Affine& to_world) {
   builder_.lights.push_back(DistantLight{Vec3(glm::normalize(to_world.vector(to - from))), irradiance});
 }
 
-void Lights::add_infinite(const Parameters& parameters, const Affine&) {
-  parameters.lacks("portal", "a portal; the light is sampled as a whole");
-  if (parameters.has("filename")) {
-    parameters.lacks("filename", "an image in equal-area octahedral layout as an environment");
-    parameters.ignore({"scale", "illuminance", "L"});
-    return;
+std::shared_ptr<const TextureImage> Lights::equal_area_image(const Parameter& file) {
+  try {
+    auto image =
+        builder_.image((folder_ / file.strings[0]).lexically_normal(), ColorSpace::automatic, file.place);
+    if (image->width() == image->height()) return image;
+    builder_.diagnostics.error(
+        file.place, fmt::format("'{}' is {} × {} pixels: images of pbrt-v4 lights are square, in equal-area "
+                                "octahedral layout",
+                                file.strings[0], image->width(), image->height()));
+  } catch (const SceneError& error) {
+    builder_.diagnostics.error(file.place, error);
   }
+  return nullptr;
+}
+
+std::optional<Mat3> Lights::image_from_world(const Affine& to_world, const Place& place) {
+  const std::optional<Mat3> turn = light_from_world(to_world);
+  if (turn) return frame_of_equal_area * *turn;
+  builder_.lacks(place, "an image of a light that is stretched by its transform");
+  return std::nullopt;
+}
+
+// pbrt changes y and z of the light's frame over. `power` is that of the mean of all texels, everywhere.
+void Lights::add_goniometric(const Parameters& parameters, const Affine& to_world) {
+  const Parameter* file = parameters.find("filename", {"string"}, 1);
+  if (!file)
+    return builder_.diagnostics.error(parameters.place(), "a goniometric light wants a \"string filename\"");
+  GoniometricLight light;
+  light.image = equal_area_image(*file);
+  const Affine changed{glm::dmat3(1, 0, 0, 0, 0, 1, 0, 1, 0), Vec3d(0)};
+  light.image_from_world = image_from_world(to_world * changed, parameters.place());
+  double mean = 0;
+  if (light.image) {
+    if (!is_grey(*light.image)) light.image = grey_image(*light.image);
+    for (int y = 0; y < light.image->height(); ++y)
+      for (int x = 0; x < light.image->width(); ++x) mean += static_cast<double>(light.image->texel(x, y).g);
+    mean /= static_cast<double>(light.image->width()) * light.image->height();
+  }
+  light.intensity = intensity(parameters, "I", 4 * pi_d * (mean > 0 ? mean : 1));
+  if (!light.image || !light.image_from_world) return;
+  if (!(mean > 0)) return builder_.diagnostics.error(file->place, "the image is black: no light");
+  light.file = file->strings[0];
+  light.mapping = SphereMapping::equal_area;
+  light.position = Vec3(to_world.offset);
+  builder_.lights.push_back(std::move(light));
+}
+
+void Lights::add_environment(const Parameter& file, const Parameters& parameters, const Affine& to_world) {
+  EnvironmentLight light;
+  light.image = equal_area_image(file);
+  light.image_from_world = image_from_world(to_world, parameters.place());
+  light.radiance = intensity(parameters, "L", 1);
+  const double illuminance = parameters.number("illuminance", -1);
+  if (!light.image || !light.image_from_world) return;
+  if (parameters.has("L"))
+    parameters.error(*parameters.find("L"), "an infinite light has either 'L' or 'filename'");
+  if (builder_.environment) return builder_.lacks(parameters.place(), "a second infinite light");
+  const double upper = upper_irradiance(*light.image);
+  if (illuminance > 0 && upper > 0) light.radiance *= static_cast<float>(illuminance / upper);
+  light.file = file.strings[0];
+  light.mapping = SphereMapping::equal_area;
+  light.prepare();
+  if (!(light.power(1) > 0)) return builder_.diagnostics.error(file.place, "the image is black: no light");
+  builder_.environment = std::move(light);
+}
+
+void Lights::add_infinite(const Parameters& parameters, const Affine& to_world) {
+  parameters.lacks("portal", "a portal; the light is sampled as a whole");
+  if (const Parameter* file = parameters.find("filename", {"string"}, 1))
+    return add_environment(*file, parameters, to_world);
   Spectrum radiance = intensity(parameters, "L", 1);
   if (const double illuminance = parameters.number("illuminance", -1); illuminance > 0)
     radiance *= static_cast<float>(illuminance / pi_d);

@@ -5,7 +5,9 @@
 
 #include "core/kinds.h"
 #include "formats/ies.h"
+#include "formats/light_frame.h"
 #include "formats/toml/parameter_reader.h"
+#include "formats/toml/transform.h"
 #include "scene/lights/sky.h"
 
 namespace umbral::toml_file {
@@ -80,8 +82,15 @@ void LightReader::read_light(const Value& item, const Value::Table& entries) {
   LightKinds light = *make_kind<LightKinds>(*kind);
   ParameterReader parameters(table, nullptr);
   std::visit([&](auto& value) { for_each_parameter(value, parameters); }, light);
+  auto* goniometric = std::get_if<GoniometricLight>(&light);
+  if (goniometric) {
+    goniometric->image_from_world = image_from_world(table);
+    for (const char* name : {"axis", "front"})
+      if (table.has("transform") && table.has(name))
+        context_.error(*table.find_entry(name), fmt::format("'{}' has no effect beside 'transform'", name));
+  }
   table.finish();
-  if (auto* goniometric = std::get_if<GoniometricLight>(&light)) {
+  if (goniometric) {
     if (goniometric->file.empty()) return;  // which is reported
     goniometric->image = image(table, goniometric->file);
     if (!goniometric->image) return;
@@ -106,6 +115,18 @@ std::shared_ptr<const TextureImage> LightReader::image(TableReader& table, const
   }
 }
 
+std::optional<Mat3> LightReader::image_from_world(TableReader& table) {
+  const Affine map = read_transform(table);
+  if (!table.has("transform")) return std::nullopt;
+  const Value& value = *table.find("transform");
+  if (map.offset != Vec3d(0)) context_.error(value, "'transform' of a light's image cannot move it");
+  const std::optional<Mat3> turn = light_from_world(map);
+  if (!turn || !(std::abs(std::abs(map.determinant()) - 1) < 1e-4))
+    context_.error(value, "'transform' of a light's image can turn and mirror it, not scale it");
+  // Not divided by its scale, so that what was written of a float is that float again.
+  return Mat3(glm::transpose(map.linear));
+}
+
 bool LightReader::claims_environment(const TableReader& table) {
   if (environment_line_) {
     context_.diagnostics.error(
@@ -121,9 +142,12 @@ void LightReader::read_environment(TableReader& table) {
   EnvironmentLight light;
   ParameterReader parameters(table, nullptr);
   for_each_parameter(light, parameters);
+  light.image_from_world = image_from_world(table);
   table.finish();
   if (!claims_environment(table)) return;
-  for (const char* name : {"rotation", "mapping"})
+  if (table.has("rotation") && table.has("transform"))
+    context_.error(*table.find_entry("rotation"), "'rotation' has no effect beside 'transform'");
+  for (const char* name : {"rotation", "mapping", "transform"})
     if (table.has(name) && !table.has("file"))
       context_.error(*table.find_entry(name),
                      fmt::format("'{}' has no effect on an environment without 'file'", name));

@@ -22,6 +22,8 @@ class LightReader {
   void read_light(const Value& item, const Value::Table& entries);
   void read_environment(TableReader& table);
   void read_sky(TableReader& table);
+  // The key 'transform': to the frame of a light's image, where it is given; an error where it does more than turn and mirror.
+  std::optional<Mat3> image_from_world(TableReader& table);
   bool claims_environment(const TableReader& table);
   // The image of a light's 'file'; none where it could not be read, which is then reported.
   std::shared_ptr<const TextureImage> image(TableReader& table, const std::string& file);

@@ -23,8 +23,10 @@ struct EnvironmentLight {
   static constexpr const char* doc = "light from every direction at infinite distance";
   static constexpr auto parameters = std::tuple{
       parameter<&EnvironmentLight::radiance>("radiance", "W m⁻² sr⁻¹; multiplies the image", non_negative),
-      parameter<&EnvironmentLight::file>("file",
-                                         "image over all directions, +y up, relative to the scene file"),
+      parameter<&EnvironmentLight::file>(
+          "file",
+          "image over all directions, +y up, relative to the scene file; 'transform' turns "
+          "and mirrors it, as it does shapes"),
       parameter<&EnvironmentLight::mapping>(
           "mapping", "how it covers them: latitude-longitude, or the octahedral square of pbrt-v4"),
       parameter<&EnvironmentLight::rotation>("rotation", "about +y, degrees, counter-clockwise from above"),

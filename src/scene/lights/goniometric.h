@@ -30,7 +30,9 @@ struct GoniometricLight {
       parameter<&GoniometricLight::position>("position", "world"),
       parameter<&GoniometricLight::intensity>("intensity", "I where the image is 1, W/sr", non_negative),
       required<&GoniometricLight::file>(
-          "file", "intensity over all directions: an image, or an .ies file; relative to the scene file"),
+          "file",
+          "intensity over all directions: an image, or an .ies file; relative to the scene file. "
+          "'transform', as of shapes, may turn it instead of 'axis' and 'front'"),
       parameter<&GoniometricLight::mapping>(
           "mapping", "how it covers them: latitude-longitude, or the octahedral square of pbrt-v4"),
       parameter<&GoniometricLight::axis>("axis", "down in the image: where its bottom row shines, world"),
