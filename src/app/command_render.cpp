@@ -27,7 +27,7 @@ namespace {
 
 // The command line as it was given; what was not given is empty and leaves the scene file's word.
 struct Arguments {
-  std::string scene, output, integrator, environment, size, sampler;
+  std::string scene, output, integrator, size, sampler;
   std::optional<int> spp, replicates;
   std::optional<std::uint64_t> seed, sample;
   int threads = 0;
@@ -158,7 +158,6 @@ int command(const Arguments& arguments) {
   std::optional<ThreadLimit> threads;
   if (arguments.threads > 0) threads.emplace(arguments.threads);
   LoadedScene loaded = load_scene(arguments.scene, arguments.read);
-  if (!arguments.environment.empty()) replace_environment(loaded.file, arguments.environment);
   apply_view(arguments.view, loaded.file);
   const std::string kind = chosen_integrator(arguments, loaded);
   Integrator& integrator = loaded.integrator(kind);
@@ -168,7 +167,8 @@ int command(const Arguments& arguments) {
                       bias_notes(integrator, loaded.file.scene),
                       loaded.file.hash,
                       render_options(arguments, loaded.file),
-                      loaded.file.left_out};
+                      loaded.file.left_out,
+                      loaded.file.approximated};
   print_warnings(loaded.file, arguments.quiet);
   const Scene scene(relative_to_camera(std::move(loaded.file.scene)));
 
@@ -206,7 +206,7 @@ void add_options(CLI::App& render, Arguments& a) {
   render.add_option("--size", a.size, "image size, WIDTHxHEIGHT");
   render.add_option("--crop", a.crop, "part of the image: x0,y0,x1,y1")->delimiter(',')->expected(4);
   render.add_option("--threads", a.threads, "default: all")->check(CLI::Range(1, 4096));
-  render.add_option("--env", a.environment, "a latitude-longitude image as the environment");
+  render.add_option("--env", a.read.environment, "a latitude-longitude image as the environment");
   add_read_options(render, a.read);
   add_view_options(render, a.view);
   render.add_option("--exposure", a.exposure, "stops, of the PNG alone")->check(number_above(-infinity));

@@ -20,9 +20,6 @@ struct LoadedScene {
 // Throws SceneError, as read_scene_file() does.
 LoadedScene load_scene(const std::string& path, const ReadOptions& options = {});
 
-// Takes the place of the scene's environment: a latitude-longitude image. Throws SceneError.
-void replace_environment(SceneFile& file, const std::string& image_path);
-
 // "path(max_depth = 0, …)".
 std::string integrator_text(const std::string& kind, Integrator& integrator);
 

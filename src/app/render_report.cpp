@@ -54,6 +54,8 @@ Provenance provenance(const RenderJob& job, const RenderResult& result, const Sc
   p.stop_reason = result.stop_reason;
   p.bias_notes = job.bias_notes;
   if (!job.left_out.empty()) p.extra["leftOut"] = fmt::format("{}", fmt::join(job.left_out, "; "));
+  if (!job.approximated.empty())
+    p.extra["approximated"] = fmt::format("{}", fmt::join(job.approximated, "; "));
   p.extra["features"] = fmt::format("{}", fmt::join(scene.features(), ", "));
   return p;
 }

@@ -18,6 +18,7 @@ struct RenderJob {
   std::uint64_t scene_hash = 0;
   RenderOptions options;
   std::vector<std::string> left_out = {};  // of the scene file
+  std::vector<std::string> approximated = {};
 };
 
 Provenance provenance(const RenderJob& job, const RenderResult& result, const Scene& scene);

@@ -10,12 +10,13 @@ namespace {
 
 std::string text(const Vec3& v) { return fmt::format("[{:.5g}, {:.5g}, {:.5g}]", v.x, v.y, v.z); }
 
-bool has_light(const SceneBuilder& scene) {
+bool has_light(const SceneBuilder& scene, float brightest_label) {
   if (scene.environment || !scene.lights.empty()) return true;
   // A texture that shines is a label or a screen: pictures to be seen, not lamps.
-  const auto shines = [](const ShapeList& list) {
-    return std::any_of(list.shapes.begin(), list.shapes.end(),
-                       [](const Shape& shape) { return shape.emits() && shape.emission.is_constant(); });
+  const auto shines = [&](const ShapeList& list) {
+    return std::any_of(list.shapes.begin(), list.shapes.end(), [&](const Shape& shape) {
+      return shape.emission.is_constant() && max_component(shape.emission.value) > brightest_label;
+    });
   };
   return shines(scene.world) ||
          std::any_of(scene.instances.begin(), scene.instances.end(),
@@ -56,14 +57,15 @@ EnvironmentLight neutral_sky() {
   return sky;
 }
 
-void complete_scene(SceneBuilder& scene, double aspect, bool light, const Place& place) {
+void complete_scene(SceneBuilder& scene, double aspect, const Place& place,
+                    std::optional<float> brightest_label) {
   const Bounds bounds = bounds_of(scene);
   if (!scene.has_camera && !is_empty(bounds)) {
     scene.camera = framing_camera(bounds, aspect);
     scene.diagnostics.warning(place, fmt::format("no camera is given; it is put at {}, looking at {}",
                                                  text(scene.camera.position), text(scene.camera.look_at)));
   }
-  if (light && !has_light(scene)) {
+  if (brightest_label && !has_light(scene, *brightest_label)) {
     scene.environment = neutral_sky();
     scene.diagnostics.warning(place,
                               "no light is given; a grey sky, brightest above to the left, lights the scene");

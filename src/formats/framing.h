@@ -1,6 +1,8 @@
 // A camera and a light for files that bring none.
 #pragma once
 
+#include <optional>
+
 #include "formats/scene_builder.h"
 
 namespace umbral {
@@ -13,7 +15,9 @@ CameraSettings framing_camera(const Bounds& bounds, double aspect);
 // shapes and gloss can be told.
 EnvironmentLight neutral_sky();
 
-// Gives the scene that camera if it has none of its own, and that sky if `light` is set and it has no light; both are told as warnings at `place`.
-void complete_scene(SceneBuilder& scene, double aspect, bool light, const Place& place);
+// Gives the scene that camera if it has none of its own, and that sky if it has no light, unless `brightest_label` is none:
+// surfaces that emit no more than that, in any channel, are not lamps. Both are told as warnings at `place`.
+void complete_scene(SceneBuilder& scene, double aspect, const Place& place,
+                    std::optional<float> brightest_label);
 
 }  // namespace umbral

@@ -14,6 +14,8 @@ struct ReadOptions {
   bool lenient = false;
   // Values for the parameters that a Mitsuba file declares with <default>.
   std::map<std::string, std::string> definitions;
+  // A latitude-longitude image that takes the place of the scene's environment; empty leaves the scene's word.
+  std::string environment;
   // Bytes that the texels of all images may take.
   std::uint64_t texture_memory = default_texture_memory;
 };

@@ -56,6 +56,11 @@ void SceneBuilder::lacks(const Place& place, const std::string& what) {
   left_out.push_back(fmt::format("{}:{}: {}", place.where.file, place.where.line, what));
 }
 
+void SceneBuilder::approximates(const Place& place, const std::string& what) {
+  diagnostics.warning(place, fmt::format("approximated: {}", what));
+  approximated.push_back(fmt::format("{}:{}: {}", place.where.file, place.where.line, what));
+}
+
 SceneDescription SceneBuilder::finish() {
   SceneDescription scene;
   scene.camera = camera;

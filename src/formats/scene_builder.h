@@ -43,7 +43,8 @@ class SceneBuilder {
   Diagnostics& diagnostics;
   InputFiles& files;
   ReadOptions options;
-  std::vector<std::string> left_out;  // what lacks() was told
+  std::vector<std::string> left_out;      // what lacks() was told
+  std::vector<std::string> approximated;  // what approximates() was told
 
   CameraSettings camera;
   bool has_camera = false;
@@ -75,6 +76,10 @@ class SceneBuilder {
   // Tells of something in a file that umbral does not know: "a medium". An error; where the options are lenient it is
   // left out instead, which becomes a warning and part of the image's provenance.
   void lacks(const Place& place, const std::string& what);
+
+  // Tells of something that umbral shows by a thing of its own that looks nearly the same: "Beckmann facets by GGX's". A
+  // warning, and part of the image's provenance.
+  void approximates(const Place& place, const std::string& what);
 
   // Moves everything out.
   SceneDescription finish();

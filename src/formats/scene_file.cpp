@@ -14,6 +14,20 @@
 
 namespace umbral {
 
+namespace {
+
+void replace_environment(SceneBuilder& builder) {
+  const std::string& file = builder.options.environment;
+  EnvironmentLight environment;
+  environment.file = file;
+  environment.image = builder.image(file, ColorSpace::automatic, {{file}});
+  environment.prepare();
+  if (!(environment.power(1) > 0)) throw SceneError(Where{file}, "the image is black: no light");
+  builder.environment = std::move(environment);
+}
+
+}  // namespace
+
 void take_aspect(float aspect, FilmSettings& film) {
   const double pixels = static_cast<double>(film.width) * film.height;
   const auto side = [&](double ratio) {
@@ -54,13 +68,18 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
   if (kind != FileKind::toml && empty && !diagnostics.has_errors())
     diagnostics.error(place, "there is nothing to see: the file has no surface and no environment");
   diagnostics.throw_errors();
+  if (!options.environment.empty()) replace_environment(builder);
   const bool is_model = kind != FileKind::toml && kind != FileKind::pbrt && kind != FileKind::mitsuba;
-  complete_scene(builder, static_cast<double>(result.film.width) / result.film.height, is_model, place);
+  // glTF's emission without KHR_materials_emissive_strength, up to 1, is what shows of labels and unlit surfaces.
+  const float brightest_label = kind == FileKind::gltf ? 1.0f : 0.0f;
+  complete_scene(builder, static_cast<double>(result.film.width) / result.film.height, place,
+                 is_model ? std::optional(brightest_label) : std::nullopt);
   check_scene(builder, place);
   result.cameras = builder.cameras;
   result.scene = builder.finish();
   result.warnings = diagnostics.warnings();
   result.left_out = std::move(builder.left_out);
+  result.approximated = std::move(builder.approximated);
   result.hash = files.hash();
   return result;
 }

@@ -29,11 +29,12 @@ struct SceneFile {
   SceneDescription scene;
   FilmSettings film;
   SamplingSettings sampling;
-  std::string integrator;             // the kind chosen
-  std::vector<NamedCamera> cameras;   // that the files name, the first of which may be the scene's
-  std::vector<Diagnostic> warnings;   // legal but doubtful, and what was repaired
-  std::vector<std::string> left_out;  // what the file asks for and umbral lacks, with file and line
-  std::uint64_t hash = 0;             // of the bytes of the file and of every file it names
+  std::string integrator;                 // the kind chosen
+  std::vector<NamedCamera> cameras;       // that the files name, the first of which may be the scene's
+  std::vector<Diagnostic> warnings;       // legal but doubtful, and what was repaired
+  std::vector<std::string> left_out;      // what the file asks for and umbral lacks, with file and line
+  std::vector<std::string> approximated;  // what it asks for and umbral shows in its own way, likewise
+  std::uint64_t hash = 0;                 // of the bytes of the file and of every file it names
 };
 
 // Gives the image as many pixels as before, in the shape that a camera asks for; aspect: width over height, above 0.

@@ -55,6 +55,24 @@ intensity = 40
   fs::path folder_;
 };
 
+// A scene without a light of its own is not told of that where it is given one.
+TEST_F(Cli, AnEnvironmentTakesThePlaceOfTheScenes) {
+  std::ofstream(folder_ / "sky.ppm") << "P3 2 1 255\n255 0 0 255 0 0\n";
+  std::ofstream(folder_ / "dark.ppm") << "P3 1 1 255\n0 0 0\n";
+  std::ofstream(folder_ / "m.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::ofstream(folder_ / "dark.toml") << "[[shapes]]\ntype = \"sphere\"\n";
+  EXPECT_TRUE(has(run("render m.obj --spp 8 --size 8x8 -o a.exr"), "no light is given"));
+  EXPECT_TRUE(has(run("render dark.toml --spp 8 --size 8x8 -o a.exr"), "there is no light"));
+  for (const char* scene : {"m.obj", "dark.toml"}) {
+    const Outcome lit = run("render " + std::string(scene) + " --env sky.ppm --spp 8 --size 8x8 -o a.exr");
+    EXPECT_EQ(lit.exit_code, 0) << lit.text;
+    EXPECT_FALSE(has(lit, "no light")) << lit.text;
+  }
+  const Outcome dark = run("render m.obj --env dark.ppm --spp 8 --size 8x8 -o a.exr");
+  EXPECT_EQ(dark.exit_code, 2);
+  EXPECT_TRUE(has(dark, "dark.ppm: error: the image is black: no light")) << dark.text;
+}
+
 TEST_F(Cli, AnotherViewThanTheScenesOwn) {
   std::ofstream(folder_ / "two.gltf") << R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1, 2]}],
     "nodes": [{"mesh": 0}, {"camera": 0, "name": "front", "translation": [0, 0, 3]},
