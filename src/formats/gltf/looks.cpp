@@ -137,8 +137,11 @@ void Conversion::anisotropy() {
   if (!data_.anisotropy) return;
   const Anisotropy& a = *data_.anisotropy;
   set<&Principled::anisotropy>(maps_.number(a.strength, a.texture, TextureChannel::b));
-  lobe_.anisotropy_rotation = number(std::remainder(glm::degrees(a.rotation), 360.0));
-  if (a.texture) note("the directions of anisotropyTexture are not used, its strength is");
+  const double turns = a.rotation / (2 * pi_d);
+  lobe_.anisotropy_rotation = std::clamp(number(360 * (turns - std::floor(turns))), 0.0f, 360.0f);
+  if (a.texture)
+    if (const auto directions = maps_.directions(*a.texture, lobe_.anisotropy_rotation))
+      material_.maps.push_back({detail::set_from_texture<&Principled::anisotropy_rotation>, *directions});
 }
 
 void Conversion::opacity() {

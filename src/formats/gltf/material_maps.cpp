@@ -64,4 +64,12 @@ Textured<float> MaterialMaps::number(double factor, const TextureSlot& slot, Tex
   return result;
 }
 
+std::optional<TextureId> MaterialMaps::directions(const TextureInfo& info, float rotation) {
+  const auto held = image(info, {ColorSpace::linear});
+  if (!held) return std::nullopt;
+  Texture result{"", DirectionTexture{{white, *held}, rotation}};
+  result.prepare(builder_.textures);
+  return builder_.add(std::move(result));
+}
+
 }  // namespace umbral::gltf

@@ -19,6 +19,8 @@ class MaterialMaps {
   Textured<float> painted_alpha(double factor, const TextureSlot& slot);
   // factor × one channel of a texture (linear) + bias.
   Textured<float> number(double factor, const TextureSlot& slot, TextureChannel channel, double bias = 0);
+  // The angles of the directions in red and green, plus so many degrees.
+  std::optional<TextureId> directions(const TextureInfo& info, float rotation);
   std::optional<TextureId> image(const TextureInfo& info, const TextureUse& use);
 
  private:

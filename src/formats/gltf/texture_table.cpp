@@ -14,6 +14,11 @@ Wrap wrap_of(Whole code) {
   return code == 33648 ? Wrap::mirror : Wrap::repeat;
 }
 
+WrapV wrap_v_of(Whole code) {
+  if (code == 33071) return WrapV::clamp;
+  return code == 33648 ? WrapV::mirror : WrapV::repeat;
+}
+
 // A name for an image that is no file, whose ending tells its format.
 std::string name_of(const ImageData& image, const std::string& mime_type, const std::string& path) {
   const std::size_t slash = mime_type.find('/');
@@ -87,7 +92,7 @@ std::optional<TextureId> TextureTable::texture(const TextureInfo& info, const Te
   texture.bias = use.bias;
   const SamplerData sampler = data.sampler ? document_[data.sampler] : SamplerData{};
   texture.wrap = wrap_of(sampler.wrap_s);
-  if (sampler.wrap_s != sampler.wrap_t) report_.warning(path, "its texture is wrapped in t as it is in s");
+  if (wrap_of(sampler.wrap_t) != texture.wrap) texture.wrap_v = wrap_v_of(sampler.wrap_t);
   if (sampler.mag_filter == 9728) texture.filter = TextureFilter::nearest;
   if (info.transform) place(texture, *info.transform);
   const Whole set = info.transform ? info.transform->tex_coord.value_or(info.tex_coord) : info.tex_coord;

@@ -14,6 +14,27 @@ std::optional<Vec3d> direction(const Affine& map, const Vec3d& axis) {
   return moved / length;
 }
 
+void set_perspective(const Perspective& data, const std::string& path, NamedCamera& camera, Report& report) {
+  camera.aspect = static_cast<float>(data.aspect_ratio);
+  camera.settings.fov = static_cast<float>(glm::degrees(data.yfov));
+  if (camera.settings.fov < 180) return;
+  report.warning(path + "/perspective/yfov", "an angle of 180 degrees and more is taken as 179");
+  camera.settings.fov = 179;
+}
+
+// xmag and ymag are halves of the image's width and height; false where it has none.
+bool set_orthographic(const Orthographic& data, const std::string& path, NamedCamera& camera,
+                      Report& report) {
+  const double width = std::abs(data.xmag), height = std::abs(data.ymag);
+  camera.aspect = static_cast<float>(width / height);
+  camera.settings.orthographic_height = static_cast<float>(2 * height);
+  const bool sees = camera.aspect > 0 && std::isfinite(camera.aspect) &&
+                    camera.settings.orthographic_height > 0 &&
+                    std::isfinite(camera.settings.orthographic_height);
+  if (!sees) report.warning(path + "/orthographic", "the camera sees nothing and is left out");
+  return sees;
+}
+
 }  // namespace
 
 void add_light(const PunctualLight& light, const Affine& to_world, SceneBuilder& builder, Report& report) {
@@ -54,24 +75,21 @@ void add_camera(const Document& document, std::uint32_t node, const Affine& to_w
   const CameraData& data = document[ref];
   const std::string path = fmt::format("/cameras/{}", ref.index);
   const auto view = direction(to_world, {0, 0, -1}), up = direction(to_world, {0, 1, 0});
-  if (!data.perspective || !view || !up) {
-    report.warning(path, data.orthographic ? "an orthographic camera cannot be used"
-                                           : "the camera has no direction and is left out");
+  if (!(data.perspective || data.orthographic) || !view || !up) {
+    report.warning(path, "the camera has no direction and is left out");
     return;
   }
   NamedCamera camera;
   camera.name = document.nodes[node].name.empty() ? data.name : document.nodes[node].name;
   if (camera.name.empty()) camera.name = fmt::format("camera{}", builder.cameras.size());
-  camera.aspect = static_cast<float>(data.perspective->aspect_ratio);
   CameraSettings& settings = camera.settings;
   settings.position = Vec3(to_world.offset);
   settings.look_at = Vec3(to_world.offset + std::max(1.0, glm::length(to_world.offset)) * *view);
   settings.up = Vec3(*up);
-  settings.fov = static_cast<float>(glm::degrees(data.perspective->yfov));
-  if (settings.fov >= 180) {
-    report.warning(path + "/perspective/yfov", "an angle of 180 degrees and more is taken as 179");
-    settings.fov = 179;
-  }
+  if (data.perspective)
+    set_perspective(*data.perspective, path, camera, report);
+  else if (!set_orthographic(*data.orthographic, path, camera, report))
+    return;
   builder.add_camera(std::move(camera));
 }
 

@@ -61,7 +61,8 @@ double Settings::horizontal_slope(const Properties& properties, double aspect) {
 
 void Settings::sensor(const Element& element) {
   const Properties properties(builder_, document_, element);
-  if (element.type != "perspective" && element.type != "thinlens")
+  const bool orthographic = element.type == "orthographic";
+  if (element.type != "perspective" && element.type != "thinlens" && !orthographic)
     return builder_.lacks(element.place, fmt::format("a sensor of type '{}'", element.type));
   if (builder_.has_camera) return builder_.lacks(element.place, "a second sensor");
   result_.film.width = 768;
@@ -78,8 +79,9 @@ void Settings::sensor(const Element& element) {
   PlacedCamera camera;
   camera.to_world = properties.transform("to_world");
   camera.to_world.linear[0] *= -1;  // Mitsuba's x is to the left
-  camera.half_height = horizontal_slope(properties, aspect) / aspect;
-  const double focus = properties.number("focus_distance", 0);
+  camera.orthographic = orthographic;
+  camera.half_height = (orthographic ? 1 : horizontal_slope(properties, aspect)) / aspect;
+  const double focus = orthographic ? 0 : properties.number("focus_distance", 0);
   if (element.type == "thinlens") {
     camera.lens_radius = properties.number("aperture_radius", 0);
     camera.focus_distance = focus;

@@ -103,9 +103,11 @@ void Settings::camera(std::string kind, Parameters parameters, const Affine& cam
   camera_ = {std::move(kind), std::move(parameters), camera_from_world};
 }
 
-// pbrt's fov is that of the screen's [−1, 1], which is the shorter side of the image unless the file gives a screen.
-void Settings::place_perspective() {
+// pbrt's fov is that of the screen's [−1, 1], which is the shorter side of the image unless the file gives a screen; an
+// orthographic camera sees that part of its own plane z = 0.
+void Settings::place() {
   const Parameters& parameters = camera_.parameters;
+  const bool orthographic = camera_.kind == "orthographic";
   const double aspect = static_cast<double>(result_.film.width) / result_.film.height;
   const double frame = parameters.number("frameaspectratio", aspect);
   double x0 = -std::max(frame, 1.0), x1 = -x0, y0 = -std::max(1 / frame, 1.0), y1 = -y0;
@@ -115,7 +117,7 @@ void Settings::place_perspective() {
     y0 = screen->numbers[2];
     y1 = screen->numbers[3];
   }
-  const double fov = parameters.number("fov", 90);
+  const double fov = orthographic ? 90 : parameters.number("fov", 90);
   if (!(frame > 0) || !(x1 > x0) || !(y1 > y0) || !(fov > 0 && fov < 180)) {
     builder_.diagnostics.error(parameters.place(), "the camera sees nothing: its screen or its fov is empty");
     return;
@@ -123,19 +125,22 @@ void Settings::place_perspective() {
   if (std::abs((x1 - x0) / (y1 - y0) - aspect) > 1e-3 * aspect)
     builder_.lacks(parameters.place(), "pixels that are not square");
   PlacedCamera placed;
-  const double unit = std::tan(glm::radians(fov) / 2);
+  placed.orthographic = orthographic;
+  const double unit = orthographic ? 1 : std::tan(glm::radians(fov) / 2);
   placed.to_world = inverse(camera_.from_world);
   placed.half_height = unit * (y1 - y0) / 2;
   placed.center = unit * glm::dvec2(x0 + x1, y0 + y1) / 2.0;
   placed.lens_radius = parameters.number("lensradius", 0);
+  if (orthographic && placed.lens_radius > 0)
+    parameters.lacks("lensradius", "a lens of an orthographic camera");
   if (placed.lens_radius > 0) placed.focus_distance = parameters.number("focaldistance", 1e6);
   parameters.ignore({"focaldistance", "shutteropen", "shutterclose"});
   place_camera(builder_, placed, parameters.place());
 }
 
 void Settings::finish(const IntegratorKinds& integrators) {
-  if (camera_.kind == "perspective") {
-    place_perspective();
+  if (camera_.kind == "perspective" || camera_.kind == "orthographic") {
+    place();
     camera_.parameters.report_unknown("camera");
   } else if (!camera_.kind.empty()) {
     builder_.lacks(camera_.parameters.place(), fmt::format("a camera of type '{}'", camera_.kind));

@@ -24,7 +24,7 @@ class Settings {
   float exposure() const { return exposure_; }
 
  private:
-  void place_perspective();
+  void place();  // the camera
 
   SceneBuilder& builder_;
   SceneFile& result_;
