@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "formats/obj/obj_meshes.h"
-#include "formats/ply/ply_reader.h"
 #include "formats/stl/stl_reader.h"
 
 namespace umbral {
@@ -46,12 +45,12 @@ std::optional<Mesh> obj_as_one_mesh(SceneBuilder& builder, const std::shared_ptr
 }
 
 // By a reader of meshes alone.
+template <class Read>
 std::optional<Mesh> plain_mesh(SceneBuilder& builder, const std::shared_ptr<const SourceText>& source,
-                               Mesh (*read)(const std::shared_ptr<const SourceText>&,
-                                            std::vector<std::string>&)) {
+                               const Read& read) {
   try {
     std::vector<std::string> warnings;
-    Mesh mesh = read(source, warnings);
+    Mesh mesh = read(warnings);
     for (const std::string& warning : warnings) builder.diagnostics.warning({{source->name()}}, warning);
     return mesh;
   } catch (const SceneError& error) {
@@ -75,7 +74,7 @@ FileKind file_kind(const std::filesystem::path& path) {
 }
 
 std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem::path& path,
-                                   const Place& place) {
+                                   const Place& place, PlyColors colors) {
   const FileKind kind = file_kind(path);
   if (kind != FileKind::obj && kind != FileKind::ply && kind != FileKind::stl) {
     builder.diagnostics.error(
@@ -85,7 +84,9 @@ std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem:
   try {
     const auto source = std::make_shared<const SourceText>(path.string(), builder.files.read(path));
     if (kind == FileKind::obj) return obj_as_one_mesh(builder, source);
-    return plain_mesh(builder, source, kind == FileKind::ply ? read_ply : read_stl);
+    return plain_mesh(builder, source, [&](std::vector<std::string>& warnings) {
+      return kind == FileKind::ply ? read_ply(source, warnings, colors) : read_stl(source, warnings);
+    });
   } catch (const SceneError& error) {
     builder.diagnostics.error(place, error);
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "formats/ply/ply_reader.h"
 #include "formats/scene_builder.h"
 
 namespace umbral {
@@ -16,7 +17,8 @@ FileKind file_kind(const std::filesystem::path& path);
 
 // All triangles of a PLY, STL or OBJ file as one mesh, as they stand in the file: not yet cleaned. None if that
 // fails, which has been told, at `place` if the file cannot be opened.
+// `colors`: of a PLY file.
 std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem::path& path,
-                                   const Place& place);
+                                   const Place& place, PlyColors colors = PlyColors::of_vertices);
 
 }  // namespace umbral

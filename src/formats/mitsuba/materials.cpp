@@ -19,6 +19,17 @@ Material one_sided(const Lobes& lobe) {
   return material;
 }
 
+// What it reflects times a tint: the same at 0° and in the mean over the hemisphere, which is linear in the edge's tint.
+void put_tint(const Spectrum& tint, Conductor& lobe) {
+  const Spectrum middle = tint * lobe.fresnel(1);
+  const Vec3 wanted(tint * lobe.fresnel_average()), dark_edge(fresnel_schlick_average(middle, black)),
+      white_edge(fresnel_schlick_average(middle, white));
+  lobe.metal = Metal::none;
+  lobe.eta = lobe.k = black;
+  lobe.reflectance = middle;
+  lobe.edge_tint = Spectrum(glm::clamp((wanted - dark_edge) / (white_edge - dark_edge), 0.0f, 1.0f), 0);
+}
+
 }  // namespace
 
 MaterialId Materials::standard() {
@@ -91,30 +102,42 @@ Materials::Draft Materials::diffuse(const Properties& properties) {
   return result;
 }
 
-void Materials::untinted(const Properties& properties, std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    const Element* found = properties.find(name);
-    if (found && (!is_color(*found) || surface_color(builder_, *found) != white))
-      builder_.lacks(found->place, fmt::format("'{}', a tint", name));
-  }
+Spectrum Materials::tint(const Properties& properties, const char* name) {
+  const Element* found = properties.find(name);
+  if (!found) return white;
+  if (is_color(*found)) return surface_color(builder_, *found);
+  builder_.lacks(found->place, fmt::format("'{}' by a texture", name));
+  return white;
 }
 
-// The square root of GGX's alpha.
-float Materials::roughness(const Properties& properties) {
+void Materials::untinted(const Properties& properties, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (tint(properties, name) != white)
+      builder_.lacks(properties.find(name)->place, fmt::format("'{}', a tint", name));
+}
+
+FacetWidths Materials::facets(const Properties& properties) {
   const std::string distribution = properties.text("distribution", "beckmann");
   if (distribution != "ggx")
-    builder_.lacks(properties.place(),
-                   fmt::format("facets of the '{}' distribution; GGX's of the same alpha stand in for them",
-                               distribution));
+    builder_.approximates(properties.place(),
+                          fmt::format("facets of the '{}' distribution by GGX's of the same alpha, whose "
+                                      "highlights have a sharper middle and longer tails",
+                                      distribution));
   const auto alpha = [&](const char* name, float otherwise) {
     const Textured<float> value = textures_.number(properties, name, otherwise);
     if (!value.is_constant()) properties.lacks(name, "a texture for roughness");
     return glm::clamp(value.value, 0.0f, 1.0f);
   };
-  const float both = alpha("alpha", 0.1f), u = alpha("alpha_u", both), v = alpha("alpha_v", both);
-  if (u != v) builder_.lacks(properties.place(), "roughness that differs in u and v");
+  const float both = alpha("alpha", 0.1f);
   properties.ignore({"sample_visible"});
-  return std::sqrt(std::sqrt(u * v));
+  return {alpha("alpha_u", both), alpha("alpha_v", both)};
+}
+
+float Materials::roughness(const Properties& properties) {
+  const FacetWidths widths = facets(properties);
+  if (widths.alpha_u != widths.alpha_v)
+    builder_.lacks(properties.place(), "roughness that differs in u and v, but of a metal");
+  return widths.roughness();
 }
 
 // Without `nonlinear` Mitsuba divides the body's reflectance ρ by 1 − K instead of 1 − ρK, K being what the skin reflects
@@ -137,18 +160,16 @@ Materials::Draft Materials::plastic(const Properties& properties, bool rough) {
 }
 
 Materials::Draft Materials::conductor(const Properties& properties, bool rough) {
+  const Spectrum tint = this->tint(properties, "specular_reflectance");
   Conductor lobe;
-  lobe.roughness = rough ? roughness(properties) : 0;
-  untinted(properties, {"specular_reflectance"});
-  Draft result{one_sided(lobe)};
+  lobe.roughness = 0;
+  if (rough) facets(properties).put_into(lobe);
   const std::string name = properties.text("material", properties.has("eta") ? "" : "none");
   const auto& metals = EnumNames<Metal>::names;
   const auto metal = std::find(metals.begin() + 1, metals.end(), name);
   if (name == "none") {
-    if (rough)
-      lobe.reflectance = white;
-    else
-      return {one_sided(Mirror{})};
+    if (!rough) return {one_sided(Mirror{tint})};
+    lobe.reflectance = white;
   } else if (metal != metals.end()) {
     lobe.metal = static_cast<Metal>(metal - metals.begin());
   } else if (const Element* eta = properties.find("eta"), *k = properties.find("k"); eta && k) {
@@ -157,8 +178,11 @@ Materials::Draft Materials::conductor(const Properties& properties, bool rough) 
   } else {
     builder_.lacks(properties.place(), fmt::format("the metal '{}'", name));
   }
-  result.material.lobe = lobe;
-  return result;
+  if (tint != white) {
+    put_tint(tint, lobe);
+    builder_.approximates(properties.place(), "a tinted metal by its colour at 0° and in the mean");
+  }
+  return {one_sided(lobe)};
 }
 
 Materials::Draft Materials::dielectric(const Properties& properties, bool rough) {

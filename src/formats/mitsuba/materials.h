@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "formats/facet_widths.h"
 #include "formats/mitsuba/textures.h"
 
 namespace umbral::mitsuba_file {
@@ -34,7 +35,10 @@ class Materials {
   Draft principled(const Properties& properties);
   Draft normal_map(const Properties& properties);
   Draft bump_map(const Properties& properties);
+  FacetWidths facets(const Properties& properties);
   float roughness(const Properties& properties);
+  // The colour of that name; white where there is none, or a texture, which is told.
+  Spectrum tint(const Properties& properties, const char* name);
   void untinted(const Properties& properties, std::initializer_list<const char*> names);
 
   SceneBuilder& builder_;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "formats/mesh_facing.h"
-#include "formats/mesh_file.h"
 #include "formats/mitsuba/serialized_mesh.h"
 #include "formats/place_shape.h"
 
@@ -40,25 +39,18 @@ void Shapes::add(const Element& element, ShapeList& shapes) {
     return properties.report_unknown();
   }
   Affine to_world = properties.transform("to_world");
-  std::optional<ShapeKinds> read = this->read(properties, to_world);
   const Element* bsdf = properties.object("bsdf");
   const Element* emitter = properties.object("emitter");
+  const MaterialId material = bsdf ? materials_.convert(*bsdf) : materials_.standard();
+  const Textured<Spectrum> emission = emitter ? this->emission(*emitter) : Textured<Spectrum>{black};
+  std::optional<ShapeKinds> read = this->read(properties, colors_of(material, emission), to_world);
   const bool turned = properties.flag("flip_normals", false);
   for (const Element* medium : properties.objects("medium")) builder_.lacks(medium->place, "a medium");
   properties.ignore({"bsdf", "emitter", "silhouette_sampling_weight"});
   properties.report_unknown();
   if (!read) return;
-  const MaterialId material = bsdf ? materials_.convert(*bsdf) : materials_.standard();
   Shape shape{element.id, std::move(*read), to_world, material};
-  if (emitter) {
-    const Properties light(builder_, document_, *emitter);
-    if (emitter->type != "area")
-      builder_.lacks(emitter->place, fmt::format("an emitter of type '{}' on a shape", emitter->type));
-    else
-      shape.emission = textures_.light(light, "radiance", white);
-    light.ignore({"sampling_weight"});
-    light.report_unknown();
-  }
+  shape.emission = emission;
   if (material == MaterialId::none) {
     if (shape.emits()) builder_.lacks(element.place, "an emitter that light passes through");
     return;
@@ -66,6 +58,26 @@ void Shapes::add(const Element& element, ShapeList& shapes) {
   if (turned) turn_over(shape, element.place);
   if (const auto fault = place_shape(std::move(shape), element.place, builder_.diagnostics, shapes))
     builder_.diagnostics.error(element.place, fault->message);
+}
+
+Textured<Spectrum> Shapes::emission(const Element& emitter) {
+  const Properties light(builder_, document_, emitter);
+  Textured<Spectrum> emission{black};
+  if (emitter.type != "area")
+    builder_.lacks(emitter.place, fmt::format("an emitter of type '{}' on a shape", emitter.type));
+  else
+    emission = textures_.light(light, "radiance", white);
+  light.ignore({"sampling_weight"});
+  light.report_unknown();
+  return emission;
+}
+
+PlyColors Shapes::colors_of(MaterialId material, const Textured<Spectrum>& emission) const {
+  bool of_faces = textures_.is_of_faces(emission.map);
+  if (material != MaterialId::none)
+    for (const TexturedParameter& map : builder_.materials[index_of(material)].maps)
+      of_faces = of_faces || textures_.is_of_faces(map.texture);
+  return of_faces ? PlyColors::of_faces : PlyColors::of_vertices;
 }
 
 void Shapes::turn_over(Shape& shape, const Place& place) {
@@ -111,9 +123,9 @@ void Shapes::add_instance(const Properties& properties) {
   if (!builder_.objects[index_of(id)].content.shapes.empty()) builder_.instances.push_back({id, to_world});
 }
 
-std::optional<ShapeKinds> Shapes::read(const Properties& properties, Affine& to_world) {
+std::optional<ShapeKinds> Shapes::read(const Properties& properties, PlyColors colors, Affine& to_world) {
   const std::string& type = properties.element().type;
-  if (type == "obj" || type == "ply") return mesh_from_file(properties);
+  if (type == "obj" || type == "ply") return mesh_from_file(properties, colors);
   if (type == "serialized") return serialized(properties);
   if (type == "sphere") return sphere(properties, to_world);
   if (type == "rectangle") return Rectangle{};
@@ -149,12 +161,12 @@ std::optional<ShapeKinds> Shapes::cylinder(const Properties& properties) {
   return std::nullopt;
 }
 
-std::optional<Mesh> Shapes::mesh_from_file(const Properties& properties) {
+std::optional<Mesh> Shapes::mesh_from_file(const Properties& properties, PlyColors colors) {
   const std::string& type = properties.element().type;
   const std::string file = properties.text("filename", "");
   const bool flat = properties.flag("face_normals", false);
   const bool turned_uv = properties.flag("flip_tex_coords", type == "obj");
-  std::optional<Mesh> mesh = read_mesh_file(builder_, document_.find(file), properties.place());
+  std::optional<Mesh> mesh = read_mesh_file(builder_, document_.find(file), properties.place(), colors);
   if (!mesh) return std::nullopt;
   if (flat) mesh->normals.clear();
   if (turned_uv)

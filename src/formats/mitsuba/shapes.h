@@ -1,6 +1,7 @@
 // The shapes of a Mitsuba file.
 #pragma once
 
+#include "formats/mesh_file.h"
 #include "formats/mitsuba/materials.h"
 
 namespace umbral::mitsuba_file {
@@ -17,10 +18,13 @@ class Shapes {
   void add(const Element& element, ShapeList& shapes);
   void add_group(const Properties& properties);
   void add_instance(const Properties& properties);
-  std::optional<ShapeKinds> read(const Properties& properties, Affine& to_world);
+  Textured<Spectrum> emission(const Element& emitter);
+  // Whose colours what is seen of a shape asks for.
+  PlyColors colors_of(MaterialId material, const Textured<Spectrum>& emission) const;
+  std::optional<ShapeKinds> read(const Properties& properties, PlyColors colors, Affine& to_world);
   std::optional<ShapeKinds> sphere(const Properties& properties, Affine& to_world);
   std::optional<ShapeKinds> cylinder(const Properties& properties);
-  std::optional<Mesh> mesh_from_file(const Properties& properties);
+  std::optional<Mesh> mesh_from_file(const Properties& properties, PlyColors colors);
   std::optional<Mesh> serialized(const Properties& properties);
   void turn_over(Shape& shape, const Place& place);
 

@@ -111,11 +111,13 @@ std::optional<TextureId> Textures::bitmap(const Properties& properties) {
 
 std::optional<TextureId> Textures::mesh_attribute(const Properties& properties) {
   const std::string name = properties.text("name", "");
-  if (name != "vertex_color") {
+  if (name != "vertex_color" && name != "face_color") {
     builder_.lacks(properties.place(), fmt::format("the mesh attribute '{}'", name));
     return std::nullopt;
   }
-  return builder_.add(Texture{properties.element().id, VertexColorTexture{}});
+  const TextureId id = builder_.add(Texture{properties.element().id, VertexColorTexture{}});
+  if (name == "face_color") of_faces_.insert(id);
+  return id;
 }
 
 std::optional<TextureId> Textures::checkerboard(const Properties& properties) {

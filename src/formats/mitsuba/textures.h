@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "formats/mitsuba/properties.h"
 
@@ -19,6 +20,9 @@ class Textures {
   // What an emitter gives.
   Textured<Spectrum> light(const Properties& properties, const std::string& name, const Spectrum& otherwise);
 
+  // Whether the texture is the colours of a mesh's faces.
+  bool is_of_faces(TextureId texture) const { return of_faces_.contains(texture); }
+
   // None if it could not be read, which has been told.
   std::optional<TextureId> texture(const Element& element);
 
@@ -30,6 +34,7 @@ class Textures {
   SceneBuilder& builder_;
   const Document& document_;
   std::map<const Element*, std::optional<TextureId>> converted_;
+  std::set<TextureId> of_faces_;
 };
 
 }  // namespace umbral::mitsuba_file

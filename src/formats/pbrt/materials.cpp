@@ -13,8 +13,8 @@ namespace {
 Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
 
 // "metal-Au-eta" and "metal-Au-k" of one metal.
-std::optional<Metal> named_metal(const Parameters& parameters) {
-  const Parameter *eta = parameters.find("eta"), *k = parameters.find("k");
+std::optional<Metal> named_metal(const Parameters& parameters, const std::string& prefix) {
+  const Parameter *eta = parameters.find(prefix + "eta"), *k = parameters.find(prefix + "k");
   const auto symbol = [](const Parameter* parameter, const std::string& end) -> std::string {
     if (!parameter) return "Cu";
     if (parameter->type != "spectrum" || parameter->strings.empty()) return "";
@@ -133,20 +133,19 @@ Material Materials::coated_diffuse(const Parameters& parameters) {
 }
 
 // R = ((n − 1)² + k²)/((n + 1)² + k²) with n = 1 gives k = 2 √R/√(1 − R), as pbrt takes a reflectance.
-Material Materials::conductor(const Parameters& parameters) {
+Conductor Materials::metal(const Parameters& parameters, const std::string& prefix) {
   Conductor lobe;
-  lobe.roughness = roughness(parameters);
   if (parameters.has("reflectance")) {
     const Textured<Spectrum> reflectance = textures_.spectrum(parameters, "reflectance", white);
     if (!reflectance.is_constant()) parameters.lacks("reflectance", "a texture for a metal's reflectance");
     const Spectrum r = glm::min(reflectance.value, Spectrum(0.9996f));
     lobe.eta = white;
     lobe.k = glm::min(2.0f * glm::sqrt(r) / glm::sqrt(Spectrum(1.0f) - r), Spectrum(100.0f)) * white;
-  } else if (const auto metal = named_metal(parameters)) {
+  } else if (const auto metal = named_metal(parameters, prefix)) {
     lobe.metal = *metal;
   } else {
-    const std::optional<Spectrum> eta = unbounded(builder_, parameters, "eta"),
-                                  k = unbounded(builder_, parameters, "k");
+    const std::optional<Spectrum> eta = unbounded(builder_, parameters, prefix + "eta"),
+                                  k = unbounded(builder_, parameters, prefix + "k");
     if (eta && k) {
       lobe.eta = *eta;
       lobe.k = *k;
@@ -155,6 +154,12 @@ Material Materials::conductor(const Parameters& parameters) {
                      "a metal whose eta and k are not both RGB or both of one named metal");
     }
   }
+  return lobe;
+}
+
+Material Materials::conductor(const Parameters& parameters) {
+  Conductor lobe = metal(parameters, "");
+  facets(parameters).put_into(lobe);
   return with_lobe(lobe);
 }
 
@@ -180,20 +185,27 @@ Material Materials::diffuse_transmission(const Parameters& parameters) {
   return material;
 }
 
-// The square root of GGX's alpha, which is the file's number or, where that is remapped, the square root of it.
-float Materials::roughness(const Parameters& parameters) {
+// GGX's alpha is the file's number or, where that is remapped, the square root of it.
+FacetWidths Materials::facets(const Parameters& parameters, const std::string& prefix) {
   const bool remap = parameters.flag("remaproughness", true);
-  const Textured<float> both = textures_.number(parameters, "roughness", 0);
-  const Textured<float> u = textures_.number(parameters, "uroughness", both.value),
-                        v = textures_.number(parameters, "vroughness", both.value);
+  const Textured<float> both = textures_.number(parameters, prefix + "roughness", 0);
+  const Textured<float> u = textures_.number(parameters, prefix + "uroughness", both.value),
+                        v = textures_.number(parameters, prefix + "vroughness", both.value);
   if (!both.is_constant() || !u.is_constant() || !v.is_constant()) {
     builder_.lacks(parameters.place(), "a texture for roughness");
-    return 0.3f;
+    return {0.1f, 0.1f};
   }
-  if (u.value != v.value) builder_.lacks(parameters.place(), "roughness that differs in u and v");
-  const float given = std::sqrt(std::max(0.0f, u.value) * std::max(0.0f, v.value));
-  const float alpha = std::min(1.0f, remap ? std::sqrt(given) : given);
-  return std::sqrt(alpha);
+  const auto alpha = [&](float given) {
+    return std::min(1.0f, remap ? std::sqrt(std::max(0.0f, given)) : std::max(0.0f, given));
+  };
+  return {alpha(u.value), alpha(v.value)};
+}
+
+float Materials::roughness(const Parameters& parameters, const std::string& prefix) {
+  const FacetWidths widths = facets(parameters, prefix);
+  if (widths.alpha_u != widths.alpha_v)
+    builder_.lacks(parameters.place(), "roughness that differs in u and v, but of a bare metal");
+  return widths.roughness();
 }
 
 }  // namespace umbral::pbrt_file

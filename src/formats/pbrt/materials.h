@@ -6,6 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "bsdf/conductor.h"
+#include "formats/facet_widths.h"
 #include "formats/pbrt/textures.h"
 
 namespace umbral::pbrt_file {
@@ -53,9 +55,12 @@ class Materials {
   Material diffuse(const Parameters& parameters);
   Material coated_diffuse(const Parameters& parameters);
   Material conductor(const Parameters& parameters);
+  // Its optics alone; names of parameters begin with `prefix`.
+  Conductor metal(const Parameters& parameters, const std::string& prefix);
   Material dielectric(const Parameters& parameters);
   Material diffuse_transmission(const Parameters& parameters);
-  float roughness(const Parameters& parameters);
+  FacetWidths facets(const Parameters& parameters, const std::string& prefix = "");
+  float roughness(const Parameters& parameters, const std::string& prefix = "");
 
   SceneBuilder& builder_;
   Textures& textures_;

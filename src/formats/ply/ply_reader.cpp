@@ -33,20 +33,56 @@ std::size_t slot_of(const std::string& property) {
   return no_slot;
 }
 
-// Colours as whole numbers are sRGB codes, as scanners and modellers write them; others are linear.
-bool is_code(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
+// Where the values of an element's properties go.
+struct Layout {
+  std::vector<std::size_t> targets;  // a slot for each property
+  std::array<bool, slots> has{};
+  PlyType color_type = PlyType::float32;
 
-Spectrum color_of(const std::array<float, slots>& v, bool coded, bool has_alpha, float most) {
-  Spectrum color(v[8], v[9], v[10], has_alpha ? v[11] : most);
-  if (!coded) return color;
-  color /= most;
-  return {srgb_decode(color.r), srgb_decode(color.g), srgb_decode(color.b), color.a};
+  explicit Layout(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) {
+      targets.push_back(property.is_list ? no_slot : slot_of(property.name));
+      if (targets.back() != no_slot) has[targets.back()] = true;
+      if (targets.back() == 8) color_type = property.type;
+    }
+  }
+  bool has_colors() const { return has[8] && has[9] && has[10]; }
+
+  // Colours as whole numbers are sRGB codes, as scanners and modellers write them; others are linear.
+  Spectrum color(const std::array<float, slots>& v) const {
+    const float most = color_type == PlyType::uint8 ? 255 : color_type == PlyType::uint16 ? 65535 : 1;
+    Spectrum color(v[8], v[9], v[10], has[11] ? v[11] : most);
+    if (color_type == PlyType::float32 || color_type == PlyType::float64) return color;
+    color /= most;
+    return {srgb_decode(color.r), srgb_decode(color.g), srgb_decode(color.b), color.a};
+  }
+};
+
+// Gives each triangle its own vertices, of its colour.
+void split_triangles(Mesh& mesh, const std::vector<Spectrum>& colors) {
+  Mesh split;
+  const auto copy = [](const auto& from, auto& to, std::uint32_t vertex) {
+    if (!from.empty()) to.push_back(from[vertex]);
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto first = static_cast<std::uint32_t>(split.positions.size());
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = mesh.triangles[i][k];
+      split.positions.push_back(mesh.positions[vertex]);
+      copy(mesh.normals, split.normals, vertex);
+      copy(mesh.uvs, split.uvs, vertex);
+      copy(mesh.uvs1, split.uvs1, vertex);
+      split.colors.push_back(colors[i]);
+    }
+    split.triangles.push_back({first, first + 1, first + 2});
+  }
+  mesh = std::move(split);
 }
 
 template <class Values>
 class BodyReader {
  public:
-  explicit BodyReader(Values values) : values_(std::move(values)) {}
+  BodyReader(Values values, PlyColors colors) : values_(std::move(values)), colors_(colors) {}
 
   Mesh read(const PlyHeader& header, std::vector<std::string>& warnings);
 
@@ -59,7 +95,9 @@ class BodyReader {
   void read_polygon(const PlyProperty& list, const PlyElement& element, std::uint64_t face);
 
   Values values_;
+  PlyColors colors_;
   Mesh mesh_;
+  std::vector<Spectrum> triangle_colors_;  // where they are those of faces
   std::vector<std::uint32_t> polygon_;
   std::size_t small_faces_ = 0;
 };
@@ -91,19 +129,11 @@ void BodyReader<Values>::skip_property(const PlyProperty& property, const PlyEle
 
 template <class Values>
 void BodyReader<Values>::read_vertices(const PlyElement& element) {
-  std::vector<std::size_t> targets;
-  std::array<bool, slots> has{};
-  for (const PlyProperty& property : element.properties) {
-    targets.push_back(property.is_list ? no_slot : slot_of(property.name));
-    if (targets.back() != no_slot) has[targets.back()] = true;
-  }
+  const Layout layout(element);
+  const auto& [targets, has, color_type] = layout;
   if (!has[0] || !has[1] || !has[2]) values_.fail("the vertices have no x, y and z");
   const bool normals = has[3] && has[4] && has[5], uvs = has[6] && has[7], uvs1 = has[12] && has[13];
-  const bool colors = has[8] && has[9] && has[10];
-  PlyType color_type = PlyType::float32;
-  for (std::size_t k = 0; k < targets.size(); ++k)
-    if (targets[k] == 8) color_type = element.properties[k].type;
-  const float most = color_type == PlyType::uint8 ? 255 : color_type == PlyType::uint16 ? 65535 : 1;
+  const bool colors = colors_ == PlyColors::of_vertices && layout.has_colors();
   mesh_.positions.reserve(element.count);
   if (normals) mesh_.normals.reserve(element.count);
   if (uvs) mesh_.uvs.reserve(element.count);
@@ -120,7 +150,7 @@ void BodyReader<Values>::read_vertices(const PlyElement& element) {
     if (normals) mesh_.normals.push_back({v[3], v[4], v[5]});
     if (uvs) mesh_.uvs.push_back({v[6], v[7]});
     if (uvs1) mesh_.uvs1.push_back({v[12], v[13]});
-    if (colors) mesh_.colors.push_back(color_of(v, is_code(color_type), has[11], most));
+    if (colors) mesh_.colors.push_back(layout.color(v));
   }
 }
 
@@ -149,14 +179,21 @@ void BodyReader<Values>::read_faces(const PlyElement& element) {
   if (!indices) indices = element.find("vertex_index");
   if (!indices || !element.properties[*indices].is_list)
     values_.fail("the faces have no list 'vertex_indices'");
+  const Layout layout(element);
+  const bool colors = colors_ == PlyColors::of_faces && layout.has_colors();
   mesh_.triangles.reserve(element.count);
-  for (std::uint64_t face = 0; face < element.count; ++face)
+  std::array<float, slots> v{};
+  for (std::uint64_t face = 0; face < element.count; ++face) {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       if (k == *indices)
         read_polygon(element.properties[k], element, face);
+      else if (colors && layout.targets[k] != no_slot)
+        v[layout.targets[k]] = static_cast<float>(value(element.properties[k].type, element, face));
       else
         skip_property(element.properties[k], element, face);
     }
+    if (colors) triangle_colors_.resize(mesh_.triangles.size(), layout.color(v));
+  }
 }
 
 template <class Values>
@@ -178,21 +215,23 @@ Mesh BodyReader<Values>::read(const PlyHeader& header, std::vector<std::string>&
   if (!has_faces) values_.fail("the file has no faces");
   if (small_faces_ > 0)
     warnings.push_back(fmt::format("not used: {} faces of fewer than 3 corners", small_faces_));
+  if (!triangle_colors_.empty()) split_triangles(mesh_, triangle_colors_);
   return std::move(mesh_);
 }
 
 }  // namespace
 
-Mesh read_ply(const std::shared_ptr<const SourceText>& source, std::vector<std::string>& warnings) {
+Mesh read_ply(const std::shared_ptr<const SourceText>& source, std::vector<std::string>& warnings,
+              PlyColors colors) {
   TextCursor in(source->text());
   const PlyHeader header = parse_ply_header(in, source);
   switch (header.format) {
     case PlyFormat::ascii:
-      return BodyReader(AsciiPlyValues(in, source)).read(header, warnings);
+      return BodyReader(AsciiPlyValues(in, source), colors).read(header, warnings);
     case PlyFormat::binary_little_endian:
-      return BodyReader(BinaryPlyValues<std::endian::little>(in, source)).read(header, warnings);
+      return BodyReader(BinaryPlyValues<std::endian::little>(in, source), colors).read(header, warnings);
     case PlyFormat::binary_big_endian:
-      return BodyReader(BinaryPlyValues<std::endian::big>(in, source)).read(header, warnings);
+      return BodyReader(BinaryPlyValues<std::endian::big>(in, source), colors).read(header, warnings);
   }
   return {};
 }

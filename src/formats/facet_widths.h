@@ -1,0 +1,25 @@
+// GGX's alpha along u and along v, as files tell it, in umbral's terms.
+#pragma once
+
+#include <algorithm>
+
+#include "bsdf/conductor.h"
+
+namespace umbral {
+
+struct FacetWidths {
+  float alpha_u = 0, alpha_v = 0;  // 0 … 1
+
+  // The square root of their geometric mean, for lobes that have one alone.
+  float roughness() const { return std::sqrt(std::sqrt(alpha_u * alpha_v)); }
+
+  // alpha (1 ± anisotropy) along the direction of the wider ones and across it.
+  void put_into(Conductor& lobe) const {
+    const float mean = (alpha_u + alpha_v) / 2;
+    lobe.roughness = std::sqrt(mean);
+    lobe.anisotropy = mean > 0 ? std::abs(alpha_u - alpha_v) / (2 * mean) : 0;
+    lobe.anisotropy_rotation = alpha_u < alpha_v ? 90 : 0;
+  }
+};
+
+}  // namespace umbral
