@@ -136,12 +136,12 @@ TEST(Mtl, MapsAreMultipliedByTheirColour) {
   EXPECT_TRUE(scene.material().is_opaque());
 }
 
-TEST(Mtl, OnlyTheLuminanceOfAColourMultipliesItsMap) {
+TEST(Mtl, AColourMultipliesItsMapChannelByChannel) {
   const SceneFolder folder;
   folder.write("white.tga", test::tga(2, 2, 255, 255, 255, 255));
-  const MtlScene scene("Kd 0 1 0\nmap_Kd white.tga\n", folder);
-  EXPECT_EQ(std::get<Lambert>(scene.at({0.5f, 0.5f})).reflectance, grey(0.7152f));
-  EXPECT_TRUE(contains(scene.warnings(), "only the luminance of Kd multiplies map_Kd, not its hue"));
+  const MtlScene scene("Kd 0 0.5 1\nmap_Kd white.tga\n", folder);
+  EXPECT_EQ(std::get<Lambert>(scene.at({0.5f, 0.5f})).reflectance, rgb(0, 0.5f, 1));
+  EXPECT_FALSE(contains(scene.warnings(), "m.mtl")) << scene.warnings();
   const MtlScene dark("Kd 0 0 0\nmap_Kd white.tga\n", folder);
   EXPECT_EQ(std::get<Lambert>(dark.at({0.5f, 0.5f})).reflectance, white);
   EXPECT_TRUE(contains(dark.warnings(), "Kd is black, but map_Kd is used as it is"));
@@ -213,10 +213,62 @@ TEST(Mtl, NamesTooLongForAnyFileAreMissingFiles) {
   EXPECT_TRUE(contains(folder.warnings(folder.read("m.obj")), "cannot be read: File name too long"));
 }
 
+TEST(Mtl, PhysicallyBasedOnesArePrincipled) {
+  const SceneFolder folder;
+  folder.write("half.tga", test::tga(2, 2, 128, 128, 128, 255));
+  const MtlScene scene(
+      "Kd 0.5 0.4 0.3\nKs 0.5 0.5 0.5\nNs 250\nNi 1.33\nPr 0.25\nPm 1\nmap_Pr half.tga\nPs 0.2\nPc 0.3\n"
+      "Pcr 0.1\naniso 0.6\nanisor 0.25\nillum 2\n",
+      folder);
+  const auto lobe = std::get<Principled>(scene.at({0.5f, 0.5f}));
+  EXPECT_EQ(lobe.base_color, rgb(0.5f, 0.4f, 0.3f));
+  EXPECT_FLOAT_EQ(lobe.ior, 1.33f);
+  EXPECT_EQ(lobe.metallic, 1);
+  EXPECT_FLOAT_EQ(lobe.roughness, 0.25f * 128 / 255);
+  EXPECT_EQ(lobe.sheen_color, grey(0.2f));
+  EXPECT_EQ(lobe.clearcoat, 0.3f);
+  EXPECT_EQ(lobe.clearcoat_roughness, 0.1f);
+  EXPECT_EQ(lobe.anisotropy, 0.6f);
+  EXPECT_FLOAT_EQ(lobe.anisotropy_rotation, 90);
+  EXPECT_TRUE(contains(scene.warnings(), "Ks and Ns have no part in it")) << scene.warnings();
+  const MtlScene mapped("Kd 1\nPm 0\nmap_Pm half.tga\n", folder);
+  EXPECT_FLOAT_EQ(std::get<Principled>(mapped.at({0.5f, 0.5f})).metallic, 128 / 255.0f);
+  EXPECT_TRUE(contains(mapped.warnings(), "Pm is 0, but map_Pm is used as it is"));
+  EXPECT_TRUE(contains(MtlScene("Kd 1\nPr 2\n").warnings(), "Pr 2 is cut to 1"));
+}
+
+TEST(Mtl, NormMapsAndBumps) {
+  const SceneFolder folder;
+  folder.write("normals.tga", test::tga(2, 2, 128, 128, 255, 255));
+  folder.write("heights.tga", test::tga(2, 2, 90, 90, 90, 255));
+  EXPECT_TRUE(MtlScene("Kd 1\nnorm normals.tga\n", folder).material().has_normal_map());
+  const MtlScene bumped("Kd 1\nbump -bm 0.2 heights.tga\n", folder);
+  EXPECT_TRUE(bumped.material().has_bump_map());
+  EXPECT_EQ(bumped.material().bump_scale, 0.2f);
+  EXPECT_TRUE(contains(bumped.warnings(), "bump is taken as heights of up to 0.2 world units"));
+  const MtlScene disguised("Kd 1\nmap_Bump -bm 0.5 normals.tga\n", folder);
+  EXPECT_TRUE(disguised.material().has_normal_map());
+  EXPECT_FALSE(disguised.material().has_bump_map());
+  EXPECT_EQ(disguised.material().normal_scale, 0.5f);
+  EXPECT_TRUE(contains(disguised.warnings(), "bump holds a normal map by its colours"));
+}
+
+TEST(Mtl, BlendingThatIsOffIsNearest) {
+  const SceneFolder folder;
+  folder.write("t.tga", test::tga(2, 2, 128, 128, 255, 255));
+  const auto filter = [&](const std::string& options) {
+    const MtlScene scene("Kd 1\nmap_Kd " + options + " t.tga\n", folder);
+    return std::get<ImageTexture>(scene.textures().at(0).kind).filter;
+  };
+  EXPECT_EQ(filter("-blendu off -blendv off"), TextureFilter::nearest);
+  EXPECT_EQ(filter("-blendu off"), TextureFilter::bilinear);
+  EXPECT_EQ(filter("-blendu on -blendv on -boost 3 -texres 64 -cc on"), TextureFilter::bilinear);
+}
+
 TEST(Mtl, OtherStatementsAreTold) {
-  const MtlScene scene("Kd 1\nPr 0.5\nmap_bump x.png\nPr 0.7\nKs xyz 1 2 3\n");
+  const MtlScene scene("Kd 1\nsharpness 60\ndisp x.png\nsharpness 0.7\nKs xyz 1 2 3\n");
   EXPECT_TRUE(contains(scene.warnings(),
-                       "material 'm': 'Pr' is not used; 'map_bump' is not used; 'Ks xyz' is not used\n"))
+                       "material 'm': 'sharpness' is not used; 'disp' is not used; 'Ks xyz' is not used\n"))
       << scene.warnings();
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "formats/material_parameters.h"
+#include "formats/obj/mtl_kinds.h"
 #include "formats/obj/mtl_textures.h"
 
 namespace umbral {
@@ -11,30 +12,7 @@ namespace {
 
 Spectrum spectrum(const Vec3& color) { return rgb(color.r, color.g, color.b); }
 
-float brightness(const Vec3& color) { return luminance(spectrum(color)); }
-
 std::string text(const Vec3& color) { return fmt::format("{} {} {}", color.r, color.g, color.b); }
-
-float opacity(const MtlMaterial& mtl) {
-  if (const auto d = mtl.number("d")) return *d;
-  return 1 - mtl.number("Tr").value_or(0);
-}
-
-bool is_glass(const MtlMaterial& mtl) {
-  if (!(mtl.number("Ni").value_or(1) > 1) || mtl.map("map_d")) return false;
-  if (mtl.illum == 6 || mtl.illum == 7) return true;
-  const bool lets_through = opacity(mtl) < 1 || mtl.color("Tf", Vec3(1)) != Vec3(1);
-  return (mtl.illum == 4 || mtl.illum == 9) && lets_through;
-}
-
-bool is_mirror(const MtlMaterial& mtl) {
-  const bool outshines = brightness(mtl.color("Ks", Vec3(0))) > brightness(mtl.color("Kd", Vec3(0)));
-  return (mtl.illum == 3 || mtl.illum == 5) && outshines && !mtl.map("map_Kd");
-}
-
-bool is_glossy(const MtlMaterial& mtl) {
-  return mtl.illum != 0 && mtl.illum != 1 && mtl.color("Ks", Vec3(0)) != Vec3(0);
-}
 
 // One material on its way.
 class Conversion {
@@ -51,6 +29,9 @@ class Conversion {
   Mirror mirror();
   void glossy(Material& material);
   void matte(Material& material);
+  void physical(Material& material);
+  void detail(Material& material);
+  Textured<float> share(const char* key, const char* map_key, float otherwise);
   Vec3 reflectance(const char* key, const Vec3& otherwise);
   Vec3 diffuse_color();
   Textured<Spectrum> with_map(const Vec3& color, const char* key, const char* map_key, Range range);
@@ -88,24 +69,43 @@ Mirror Conversion::mirror() {
   return {spectrum(reflectance("Ks", Vec3(0)))};
 }
 
-// The colour, or a texture that is multiplied by its luminance.
+// The colour, or a texture that is multiplied by it.
 Textured<Spectrum> Conversion::with_map(const Vec3& color, const char* key, const char* map_key,
                                         Range range) {
   Textured<Spectrum> result{spectrum(color)};
   const MtlMap* map = mtl_.map(map_key);
   const auto image = map ? textures_.image(*map, ColorSpace::automatic) : nullptr;
   if (!image) return result;
-  float factor = brightness(color);
-  if (color == Vec3(color.r)) {
-    factor = color.r;
-  } else {
-    note(fmt::format("only the luminance of {} multiplies {}, not its hue", key, map_key));
-  }
+  const bool is_grey = color == Vec3(color.r);
+  float factor = is_grey ? color.r : 1;
   if (factor == 0) {
     note(fmt::format("{} is black, but {} is used as it is", key, map_key));
     factor = 1;
   }
   const auto id = textures_.texture(*map, image, {map_key, factor, ColorSpace::automatic, {}, range});
+  if (id && is_grey) result.map = *id;
+  if (id && !is_grey) {
+    Texture product{"", ScaleTexture{{white, *id}, {spectrum(color)}}};
+    product.prepare(builder_.textures);
+    result.map = builder_.add(std::move(product));
+  }
+  return result;
+}
+
+// A number from 0 to 1, times its map.
+Textured<float> Conversion::share(const char* key, const char* map_key, float otherwise) {
+  const MtlMap* map = mtl_.map(map_key);
+  const std::optional<float> given = mtl_.number(key);
+  Textured<float> result{std::clamp(given.value_or(map ? 1 : otherwise), 0.0f, 1.0f)};
+  if (given && *given != result.value) note(fmt::format("{} {} is cut to {}", key, *given, result.value));
+  const auto image = map ? textures_.image(*map, ColorSpace::linear) : nullptr;
+  if (!image) return result;
+  if (result.value == 0) {
+    note(fmt::format("{} is 0, but {} is used as it is", key, map_key));
+    result.value = 1;
+  }
+  const auto id =
+      textures_.texture(*map, image, {map_key, result.value, ColorSpace::linear, channel_of(*map)});
   if (id) result.map = *id;
   return result;
 }
@@ -138,11 +138,7 @@ Textured<float> Conversion::alpha() {
   auto image = map ? textures_.image(*map, ColorSpace::linear) : nullptr;
   MtlTextureUse use{"map_d", level, ColorSpace::linear};
   if (image) {
-    const bool by_alpha = map->channel == 'm' || (map->channel == 0 && image->has_alpha());
-    if (by_alpha) use.channel = TextureChannel::a;
-    if (map->channel == 'r') use.channel = TextureChannel::r;
-    if (map->channel == 'g') use.channel = TextureChannel::g;
-    if (map->channel == 'b') use.channel = TextureChannel::b;
+    use.channel = map->channel == 0 && image->has_alpha() ? TextureChannel::a : channel_of(*map);
   } else if (!map && (map = mtl_.map("map_Kd")) != nullptr) {
     image = textures_.image(*map, ColorSpace::automatic);
     if (!image || !image->has_alpha()) return result;
@@ -181,18 +177,69 @@ void Conversion::matte(Material& material) {
                            {{"reflectance", with_map(diffuse_color(), "Kd", "map_Kd", zero_to_one)}});
 }
 
+// Ks and Ns are what programs write for readers that know nothing else.
+void Conversion::physical(Material& material) {
+  Principled lobe;
+  const float index = mtl_.number("Ni").value_or(1.5f);
+  lobe.ior = index > 1 && index <= 10 ? index : 1.5f;
+  if (const auto turns = mtl_.number("anisor"))
+    lobe.anisotropy_rotation = std::clamp(360 * (*turns - std::floor(*turns)), 0.0f, 360.0f);
+  material.lobe = lobe;
+  if (mtl_.colors.contains("Ks") || mtl_.map("map_Ks"))
+    note("Ks and Ns have no part in it: it has Pr and Pm");
+  const Textured<float> sheen = share("Ps", "map_Ps", 0);
+  set_parameters<Spectrum>(material, {{"base_color", with_map(diffuse_color(), "Kd", "map_Kd", zero_to_one)},
+                                      {"sheen_color", {grey(sheen.value), sheen.map}}});
+  set_parameters<float>(material, {{"metallic", share("Pm", "map_Pm", 0)},
+                                   {"roughness", share("Pr", "map_Pr", 0.5f)},
+                                   {"clearcoat", share("Pc", "", 0)},
+                                   {"clearcoat_roughness", share("Pcr", "", 0)},
+                                   {"anisotropy", share("aniso", "", 0)}});
+}
+
+void Conversion::detail(Material& material) {
+  const auto linear_texture = [&](const char* key, const MtlMap& map) -> std::optional<TextureId> {
+    const auto image = textures_.image(map, ColorSpace::linear);
+    if (!image) return std::nullopt;
+    return textures_.texture(map, image, {key, 1, ColorSpace::linear, channel_of(map)});
+  };
+  if (const MtlMap* map = mtl_.map("norm"))
+    if (const auto id = linear_texture("norm", *map)) material.normal_map.map = *id;
+  const MtlMap* map = mtl_.map("bump");
+  const auto id = map ? linear_texture("bump", *map) : std::nullopt;
+  if (!id) return;
+  if (looks_like_normals(*textures_.image(*map, ColorSpace::linear))) {
+    note("bump holds a normal map by its colours, and is used as one");
+    if (material.normal_map.is_constant()) material.normal_map.map = *id;
+    material.normal_scale = map->bump;
+    return;
+  }
+  note(fmt::format("bump is taken as heights of up to {} world units", map->bump));
+  material.bump_map = {0, *id};
+  material.bump_scale = map->bump;
+}
+
 MaterialId Conversion::material() {
   Material material{mtl_.name, Lambert{}, {}, {1}};
-  if (is_glass(mtl_)) {
-    material.lobe = glass();
-  } else if (is_mirror(mtl_)) {
-    material.lobe = mirror();
-  } else if (is_glossy(mtl_)) {
-    glossy(material);
-  } else {
-    matte(material);
+  const MtlKind kind = kind_of(mtl_);
+  switch (kind) {
+    case MtlKind::glass:
+      material.lobe = glass();
+      break;
+    case MtlKind::mirror:
+      material.lobe = mirror();
+      break;
+    case MtlKind::physical:
+      physical(material);
+      break;
+    case MtlKind::glossy:
+      glossy(material);
+      break;
+    case MtlKind::matte:
+      matte(material);
   }
-  if (!is_glass(mtl_)) material.alpha = alpha();
+  if (kind != MtlKind::glass) material.alpha = alpha();
+  detail(material);
   for (const std::string& statement : mtl_.ignored) note(fmt::format("'{}' is not used", statement));
   return builder_.add(std::move(material), mtl_.place);
 }

@@ -12,9 +12,10 @@ namespace umbral {
 //   dielectric   where 'illum' is 6 or 7 (refraction) and Ni > 1, or 4 or 9 (glass) and some light also passes (d,
 //                Tr, Tf); clear but for the hue of Tf: Fresnel's equations say how much is reflected
 //   mirror       where 'illum' is 3 or 5 (ray-traced reflection) and Ks outshines Kd; reflects Ks
+//   principled   where one of Pr Pm Ps Pc Pcr aniso anisor is given, or a map of them
 //   blinn_phong  where Ks is not black and 'illum' not 0 or 1
 //   matte        else; Ka has no part in it
-// d or Tr, map_d or the alpha of map_Kd give its opacity. A map is multiplied by the luminance of the colour that
+// d or Tr, map_d or the alpha of map_Kd give its opacity, norm and bump its normals. A map is multiplied by the colour that
 // it belongs to. All that is approximated or left out is told in one warning a material.
 struct MtlLook {
   MaterialId material;

@@ -26,7 +26,7 @@ class MtlParser {
   void read_color(MtlMaterial& material, const std::string& key);
   bool read_number(float& number);
   void read_map(MtlMaterial& material, const std::string& key);
-  bool read_option(MtlMap& map);
+  bool read_option(const std::string& key, MtlMap& map);
   bool read_pair(Vec2& pair);
   Place here() { return errors_.place(in_, in_.position()); }
 
@@ -82,14 +82,20 @@ bool MtlParser::read_pair(Vec2& pair) {
   return is_finite(pair);
 }
 
-bool MtlParser::read_option(MtlMap& map) {
-  static constexpr std::array harmless{"-blendu", "-blendv", "-texres", "-cc", "-boost"};
+bool MtlParser::read_option(const std::string& key, MtlMap& map) {
+  static constexpr std::array harmless{"-texres", "-cc", "-boost"};
   const std::string option(in_.word());
   if (option == "-s") return read_pair(map.scale);
   if (option == "-o") return read_pair(map.offset);
   if (option == "-mm") return read_number(map.base) && read_number(map.gain);
   if (option == "-clamp") {
     map.clamp = in_.word() == "on";
+  } else if (option == "-blendu") {
+    map.blend_u = in_.word() != "off";
+  } else if (option == "-blendv") {
+    map.blend_v = in_.word() != "off";
+  } else if (option == "-bm" && key == "bump") {
+    return read_number(map.bump);
   } else if (option == "-imfchan") {
     const std::string_view channel = in_.word();
     map.channel = channel.empty() ? '\0' : channel[0];
@@ -111,7 +117,7 @@ bool MtlParser::read_option(MtlMap& map) {
 void MtlParser::read_map(MtlMaterial& material, const std::string& key) {
   MtlMap map;
   while (!in_.at_line_end() && *in_.position() == '-')
-    if (!read_option(map)) return;
+    if (!read_option(key, map)) return;
   map.place = here();
   map.file = in_.rest_of_line();
   if (map.file.empty())
@@ -122,8 +128,11 @@ void MtlParser::read_map(MtlMaterial& material, const std::string& key) {
 
 void MtlParser::statement() {
   static constexpr std::array colors{"Ka", "Kd", "Ks", "Ke", "Tf"};
-  static constexpr std::array numbers{"Ns", "Ni", "d", "Tr"};
-  static constexpr std::array maps{"map_Kd", "map_Ks", "map_Ns", "map_Ke", "map_d"};
+  static constexpr std::array numbers{"Ns", "Ni", "d",   "Tr",    "Pr",    "Pm",
+                                      "Ps", "Pc", "Pcr", "aniso", "anisor"};
+  static constexpr std::array maps{"map_Kd", "map_Ks", "map_Ns", "map_Ke", "map_d",
+                                   "map_Pr", "map_Pm", "map_Ps", "norm",   "bump"};
+  static constexpr std::array bumps{"map_bump", "map_Bump"};
   const Place place = here();
   const std::string word(in_.word());
   if (word == "newmtl") return begin_material();
@@ -141,6 +150,8 @@ void MtlParser::statement() {
     if (read_number(number)) material.numbers[word] = number;
   } else if (is_one_of(word, maps)) {
     read_map(material, word);
+  } else if (is_one_of(word, bumps)) {
+    read_map(material, "bump");
   } else if (word == "illum") {
     float number = 0;
     if (read_number(number)) material.illum = static_cast<int>(std::clamp(number, -1.0f, 100.0f));

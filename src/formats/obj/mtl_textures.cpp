@@ -8,6 +8,23 @@
 
 namespace umbral {
 
+// The channel that a map chooses for a single number.
+TextureChannel channel_of(const MtlMap& map) {
+  if (map.channel == 'm') return TextureChannel::a;
+  if (map.channel == 'r') return TextureChannel::r;
+  if (map.channel == 'g') return TextureChannel::g;
+  return map.channel == 'b' ? TextureChannel::b : TextureChannel::luminance;
+}
+
+// Bluish on the whole: some programs write normal maps as bumps.
+bool looks_like_normals(const TextureImage& image) {
+  Vec3d sum(0);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) sum += Vec3d(Vec3(image.texel(x, y)));
+  const Vec3d mean = sum / (static_cast<double>(image.width()) * image.height());
+  return mean.b > 0.7 && std::abs(mean.r - 0.5) < 0.15 && std::abs(mean.g - 0.5) < 0.15;
+}
+
 std::filesystem::path MtlTextures::found(const MtlMap& map) {
   std::string name = map.file;
   std::replace(name.begin(), name.end(), '\\', '/');
@@ -43,6 +60,7 @@ std::optional<TextureId> MtlTextures::texture(const MtlMap& map, std::shared_ptr
   kind.file = map.file;
   kind.image = std::move(image);
   kind.wrap = map.clamp ? Wrap::clamp : Wrap::repeat;
+  if (!map.blend_u && !map.blend_v) kind.filter = TextureFilter::nearest;
   kind.channel = use.channel;
   kind.factor = use.factor * map.gain;
   kind.bias = use.factor * map.base;

@@ -23,6 +23,12 @@ struct MtlTextureUse {
   Range range = zero_to_one;  // what its values must keep
 };
 
+// The channel that a map chooses for a single number.
+TextureChannel channel_of(const MtlMap& map);
+
+// Bluish on the whole: some programs write normal maps as bumps.
+bool looks_like_normals(const TextureImage& image);
+
 // Reads images of MTL files and makes textures from them.
 class MtlTextures {
  public:
