@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "formats/gzip.h"
 
 namespace umbral {
 namespace {
@@ -55,10 +56,12 @@ std::uint64_t hash_of(std::string_view bytes) {
 
 }  // namespace
 
+bool is_packed(const std::filesystem::path& path) { return path.extension() == ".gz"; }
+
 std::string InputFiles::read(const std::filesystem::path& path) {
   std::string bytes = bytes_of(path);
   if (seen_.insert(path).second) hash_ = hash_combine(hash_, hash_of(bytes));
-  return bytes;
+  return is_packed(path) ? unpacked(bytes, path.string()) : bytes;
 }
 
 void InputFiles::add_to_hash(const std::filesystem::path& path) {

@@ -8,9 +8,12 @@
 
 namespace umbral {
 
+// Whether the file is one that InputFiles unpacks.
+bool is_packed(const std::filesystem::path& path);
+
 class InputFiles {
  public:
-  // The bytes of the file. Throws SceneError, located in that file, if it cannot be read.
+  // The bytes of the file, or what was packed into one whose name ends in .gz. Throws SceneError, located in that file, if it cannot be read.
   std::string read(const std::filesystem::path& path);
 
   // Adds a file to the hash that someone else reads.

@@ -66,7 +66,7 @@ FileKind file_kind(const std::filesystem::path& path) {
                                                      {".ply", FileKind::ply},   {".stl", FileKind::stl},
                                                      {".gltf", FileKind::gltf}, {".glb", FileKind::gltf},
                                                      {".pbrt", FileKind::pbrt}, {".xml", FileKind::mitsuba}};
-  std::string ending = path.extension().string();
+  std::string ending = (is_packed(path) ? path.stem() : path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto found = kinds.find(ending);

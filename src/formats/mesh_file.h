@@ -12,7 +12,7 @@ namespace umbral {
 
 enum class FileKind { toml, obj, ply, stl, gltf, pbrt, mitsuba, unknown };
 
-// By the name's ending, in capitals or not.
+// By the name's ending, in capitals or not; by what stands before .gz.
 FileKind file_kind(const std::filesystem::path& path);
 
 // All triangles of a PLY, STL or OBJ file as one mesh, as they stand in the file: not yet cleaned. None if that
