@@ -1,6 +1,8 @@
 // Syntax of directives: their table, numbers, strings and parameters.
 #include "formats/pbrt/directives.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +14,15 @@ namespace {
 
 constexpr std::size_t most_errors = 50;  // then reading on is of no use
 constexpr int deepest_include = 32, most_files = 100000;
+
+// Spectra are told by either.
+constexpr const char *number_types[] = {"integer", "float",   "point",  "point2",  "point3", "vector",
+                                        "vector2", "vector3", "normal", "normal3", "rgb",    "blackbody"},
+                     *word_types[] = {"string", "bool", "texture"};
+
+bool is_among(const std::string& type, std::span<const char* const> types) {
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
 
 }  // namespace
 
@@ -214,6 +225,10 @@ void Directives::values(Parameter& parameter) {
   } while (several);
   if (!parameter.numbers.empty() && !parameter.strings.empty())
     fail(first, fmt::format("the values of '{}' are numbers and words", parameter.name));
+  if (!parameter.numbers.empty() && is_among(parameter.type, word_types))
+    fail(first, fmt::format("the values of \"{} {}\" cannot be numbers", parameter.type, parameter.name));
+  if (!parameter.strings.empty() && is_among(parameter.type, number_types))
+    fail(first, fmt::format("the values of \"{} {}\" must be numbers", parameter.type, parameter.name));
 }
 
 void Directives::finish() {
