@@ -1,42 +1,90 @@
-// One reader under libFuzzer: any bytes load or are refused with a SceneError; whatever else happens is a finding.
+// The readers under libFuzzer: any bytes load or are refused with a SceneError; whatever else happens is a finding.
 //
-// UMBRAL_FUZZ_FILE is the file that the bytes become, UMBRAL_FUZZ_SCENE the one that is read.
+// fuzz_reader --reader=KIND [--seeds=FOLDER] LIBFUZZER'S ARGUMENTS…
+//   --reader  what the bytes are: the ending of a sample of tests/formats/samples.h, or exr, an image with statistics
+//   --seeds   writes the samples of that kind into a folder first
+// fuzz_reader --readers  lists the kinds
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 
-#include <unistd.h>
-
+#include "formats/samples.h"
 #include "formats/scene_file.h"
+#include "image/film_file.h"
 
+namespace umbral::test {
 namespace {
 
-// A folder of its own for each process, so that several run at a time.
-const std::filesystem::path& folder() {
-  static const std::filesystem::path made = [] {
-    auto path = std::filesystem::temp_directory_path() / ("umbral-fuzz-" + std::to_string(getpid()));
-    std::filesystem::create_directories(path);
-    // What is read where the fuzzed file is named by another.
-    std::ofstream(path / "uses_mtl.obj")
-        << "mtllib fuzzed.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\nusemtl n\nf 1 3 2\n";
-    return path;
+std::string reader_name;
+
+std::string kind_of(const Sample& sample) {
+  return std::filesystem::path(sample.file).extension().string().substr(1);
+}
+
+std::set<std::string> readers() {
+  std::set<std::string> kinds{"exr"};
+  for (const Sample& sample : samples()) kinds.insert(kind_of(sample));
+  return kinds;
+}
+
+void write_seeds(const std::filesystem::path& folder) {
+  for (const Sample& sample : samples())
+    if (kind_of(sample) == reader_name) std::ofstream(folder / sample.file, std::ios::binary) << sample.bytes;
+}
+
+// One for the process, so that several run at a time. All samples are in it, for those that name others.
+const SceneFolder& folder() {
+  static const auto made = [] {
+    auto folder = std::make_unique<SceneFolder>();
+    for (const Sample& sample : samples()) folder->write(sample.file, sample.bytes);
+    return folder;
   }();
-  return made;
+  return *made;
+}
+
+void read(const std::string& bytes) {
+  if (reader_name == "exr") {
+    folder().write("a.exr", bytes);
+    read_film(folder().path("a.exr").string());
+    return;
+  }
+  static const Sample sample = sample_of(reader_name);
+  folder().write(sample.file, bytes);
+  folder().read(sample.scene);
 }
 
 }  // namespace
+}  // namespace umbral::test
+
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  using namespace umbral::test;
+  std::filesystem::path seeds;
+  for (int i = 1; i < *argc; ++i) {
+    const std::string_view argument = (*argv)[i];
+    if (argument == "--readers") {
+      for (const std::string& kind : readers()) std::cout << kind << '\n';
+      std::exit(0);
+    }
+    if (argument.starts_with("--reader=")) reader_name = argument.substr(9);
+    if (argument.starts_with("--seeds=")) seeds = argument.substr(8);
+  }
+  if (!readers().contains(reader_name)) {
+    std::cerr << "fuzz_reader --reader=KIND: there is no kind '" << reader_name << "'\n";
+    std::exit(2);
+  }
+  if (!seeds.empty()) write_seeds(seeds);
+  return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::ofstream(folder() / UMBRAL_FUZZ_FILE, std::ios::binary)
-      << std::string_view(reinterpret_cast<const char*>(data), size);
-  umbral::IntegratorKinds integrators;
-  integrators.kinds = {"path"};
-  integrators.default_kind = "path";
-  integrators.read = [](const std::string&, umbral::ParameterVisitor&) {};
   try {
-    umbral::read_scene_file(folder() / UMBRAL_FUZZ_SCENE, integrators);
+    umbral::test::read({reinterpret_cast<const char*>(data), size});
   } catch (const umbral::SceneError&) {
   }
   return 0;
