@@ -4,14 +4,10 @@
 namespace umbral {
 
 Bounds bounds_of(const SceneBuilder& scene) {
-  Bounds bounds = empty_bounds();
-  const auto add = [&](const std::vector<Shape>& shapes, const Affine& to_world) {
-    for (const Shape& shape : shapes) bounds = joined(bounds, bounds_of(shape, to_world));
-  };
-  add(scene.world.shapes, Affine{});
-  for (const Instance& instance : scene.instances)
-    add(scene.objects[index_of(instance.object)].content.shapes, instance.to_world);
-  return bounds;
+  return bounds_of(
+      scene.world.shapes, scene.instances, [&](ObjectId id) -> const auto& {
+        return scene.objects[index_of(id)].content.shapes;
+      });
 }
 
 }  // namespace umbral

@@ -6,15 +6,6 @@
 namespace umbral {
 namespace {
 
-Bounds bounds_of(const SceneDescription& scene) {
-  Bounds bounds = empty_bounds();
-  for (const Shape& shape : scene.shapes) bounds = joined(bounds, bounds_of(shape, Affine{}));
-  for (const Instance& instance : scene.instances)
-    for (const Shape& shape : scene.objects[index_of(instance.object)].shapes)
-      bounds = joined(bounds, bounds_of(shape, instance.to_world));
-  return bounds;
-}
-
 double largest_coordinate(const Bounds& bounds, const Vec3d& shift) {
   const Vec3d far = glm::max(glm::abs(bounds.low + shift), glm::abs(bounds.high + shift));
   return std::max({far.x, far.y, far.z});
@@ -44,7 +35,9 @@ void move(LightKinds& light, const Vec3d& shift) {
 
 SceneDescription relative_to_camera(SceneDescription scene) {
   const Vec3d shift = -Vec3d(scene.camera.position);
-  const Bounds bounds = bounds_of(scene);
+  const Bounds bounds = bounds_of(
+      scene.shapes,
+      scene.instances, [&](ObjectId id) -> const auto& { return scene.objects[index_of(id)].shapes; });
   if (is_empty(bounds) || largest_coordinate(bounds, shift) >= largest_coordinate(bounds, Vec3d(0)))
     return scene;
   move(scene.camera.position, shift);

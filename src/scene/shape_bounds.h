@@ -2,8 +2,9 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
-#include "scene/shapes/shapes.h"
+#include "scene/description.h"
 
 namespace umbral {
 
@@ -21,6 +22,19 @@ inline bool holds(const Bounds& b, const Vec3d& p) {
 }
 inline Bounds joined(const Bounds& a, const Bounds& b) {
   return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+// Around the shapes of the world and those of all instances; `shapes_of(ObjectId)` gives those of an object.
+template <class ShapesOf>
+Bounds bounds_of(const std::vector<Shape>& world, const std::vector<Instance>& instances,
+                 const ShapesOf& shapes_of) {
+  Bounds bounds = empty_bounds();
+  const auto add = [&](const std::vector<Shape>& shapes, const Affine& to_world) {
+    for (const Shape& shape : shapes) bounds = joined(bounds, bounds_of(shape, to_world));
+  };
+  add(world, Affine{});
+  for (const Instance& instance : instances) add(shapes_of(instance.object), instance.to_world);
+  return bounds;
 }
 
 }  // namespace umbral
