@@ -7,6 +7,7 @@
 
 #include "app/arguments.h"
 #include "core/names.h"
+#include "formats/number_checks.h"
 
 namespace umbral {
 namespace {
@@ -51,10 +52,11 @@ void apply_view(const ViewArguments& view, SceneFile& file) {
     camera.fov = *view.fov;
     camera.orthographic_height = 0;
   }
-  const Vec3 direction = camera.look_at - camera.position;
-  const float sideways = glm::length(cross(direction, camera.up));
-  if (direction == Vec3(0)) refuse("--look-at is where the camera is: there is no direction to look in");
-  if (!(sideways > 1e-6f * glm::length(direction) * glm::length(camera.up)))
+  if (const auto fault = fault_of(camera)) refuse(*fault);
+  const Vec3d direction = Vec3d(camera.look_at) - Vec3d(camera.position);
+  const double sideways = glm::length(cross(direction, Vec3d(camera.up)));
+  if (direction == Vec3d(0)) refuse("--look-at is where the camera is: there is no direction to look in");
+  if (!(sideways > 1e-6 * glm::length(direction) * glm::length(Vec3d(camera.up))))
     refuse("the view is along what is up in the image: give another --up");
 }
 

@@ -4,19 +4,16 @@
 #include <fmt/format.h>
 
 #include "formats/mesh_topology.h"
+#include "formats/number_checks.h"
 #include "formats/scene_bounds.h"
 
 namespace umbral {
 namespace {
 
-std::string name_of(const Shape& shape) {
-  const std::string kind = std::visit([](const auto& value) { return std::string(value.kind); }, shape.kind);
-  return shape.name.empty() ? kind : fmt::format("{} '{}'", kind, shape.name);
-}
-
 class SceneChecks {
  public:
-  SceneChecks(SceneBuilder& scene, const Place& place) : scene_(scene), place_(place) {}
+  SceneChecks(SceneBuilder& scene, const Place& place)
+      : scene_(scene), place_(place), numbers_(scene, place) {}
 
   void run() {
     check_lights();
@@ -30,7 +27,8 @@ class SceneChecks {
       check_camera(shape, place, to_world);
       check_distance(shape, place, to_world);
     });
-    report_far();
+    if (far_.count > 0) warn(far_.place, far_.text() + "; move the scene nearer to the origin");
+    numbers_.finish();
   }
 
  private:
@@ -42,7 +40,6 @@ class SceneChecks {
   void check_textures(const Shape& shape, const Place& place, const Material& material);
   void check_camera(const Shape& shape, const Place& place, const Affine& to_world);
   void check_distance(const Shape& shape, const Place& place, const Affine& to_world);
-  void report_far();
   Spectrum highest_color(const Textured<Spectrum>& value) const;
   bool shines(const Shape& shape) const { return max_component(highest_color(shape.emission)) > 0; }
   void warn(const Place& place, std::string message) {
@@ -51,9 +48,8 @@ class SceneChecks {
 
   SceneBuilder& scene_;
   const Place& place_;
-  std::size_t far_count_ = 0;
-  std::string far_example_;
-  Place far_place_;
+  NumberChecks numbers_;
+  CountedFault far_;
 };
 
 template <class Visit>
@@ -167,20 +163,15 @@ void SceneChecks::check_camera(const Shape& shape, const Place& place, const Aff
 void SceneChecks::check_distance(const Shape& shape, const Place& place, const Affine& to_world) {
   const Bounds bounds = bounds_of(shape, to_world);
   const Vec3d far = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
-  const double error = 32 * 0x1p-23 * std::max({far.x, far.y, far.z});
+  const double reach = std::max({far.x, far.y, far.z}), error = 32 * 0x1p-23 * reach;
+  numbers_.add(shape, place, reach);
   const double share = error / glm::length(bounds.high - bounds.low);
   if (!(share > (std::holds_alternative<Mesh>(shape.kind) ? 1e-3 : 1e-2))) return;
-  if (far_count_++ > 0) return;
-  far_place_ = place;
-  far_example_ =
+  if (!far_.is_first()) return;
+  far_.place = place;
+  far_.example =
       fmt::format("{} is so far from the origin that its points are exact only to {:.2g} of its size",
                   name_of(shape), share);
-}
-
-void SceneChecks::report_far() {
-  if (far_count_ == 0) return;
-  const std::string others = far_count_ > 1 ? fmt::format(" (so are {} more shapes)", far_count_ - 1) : "";
-  warn(far_place_, far_example_ + others + "; move the scene nearer to the origin");
 }
 
 }  // namespace

@@ -75,6 +75,7 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
   complete_scene(builder, static_cast<double>(result.film.width) / result.film.height, place,
                  is_model ? std::optional(brightest_label) : std::nullopt);
   check_scene(builder, place);
+  diagnostics.throw_errors();
   result.cameras = builder.cameras;
   result.scene = builder.finish();
   result.warnings = diagnostics.warnings();

@@ -7,11 +7,11 @@ namespace umbral {
 
 Camera::Camera(const CameraSettings& settings, int width, int height)
     : position_(settings.position),
-      forward_(glm::normalize(settings.look_at - settings.position)),
+      forward_(glm::normalize(Vec3d(settings.look_at) - Vec3d(settings.position))),
       lens_radius_(settings.orthographic_height > 0 ? 0 : settings.lens_radius),
       focus_distance_(settings.focus_distance),
       parallel_(settings.orthographic_height > 0) {
-  const Vec3 unmirrored = glm::normalize(cross(forward_, settings.up));
+  const Vec3 unmirrored(glm::normalize(cross(Vec3d(forward_), Vec3d(settings.up))));
   const Vec3 up = cross(unmirrored, forward_);
   const Vec3 right = settings.mirrored ? -unmirrored : unmirrored;
   const float image_height =
@@ -25,7 +25,8 @@ Camera::Camera(const CameraSettings& settings, int width, int height)
   corner_ = (parallel_ ? Vec3(0) : forward_) + right_ * middle.x + down_ * middle.y;
   lens_x_ = right * lens_radius_;
   lens_y_ = up * lens_radius_;
-  if (!(focus_distance_ > 0)) focus_distance_ = glm::length(settings.look_at - settings.position);
+  if (!(focus_distance_ > 0))
+    focus_distance_ = static_cast<float>(glm::length(Vec3d(settings.look_at) - Vec3d(settings.position)));
 }
 
 Ray Camera::ray(const Vec2& film, const Vec2& lens) const {
@@ -34,7 +35,7 @@ Ray Camera::ray(const Vec2& film, const Vec2& lens) const {
   if (!has_lens()) return {position_, glm::normalize(direction), 0, infinity, 0, spread_};
   const Vec2 on_disk = square_to_disk(lens);
   const Vec3 offset = on_disk.x * lens_x_ + on_disk.y * lens_y_;
-  return {position_ + offset, glm::normalize(direction * focus_distance_ - offset), 0, infinity, 0, spread_};
+  return {position_ + offset, glm::normalize(direction - offset / focus_distance_), 0, infinity, 0, spread_};
 }
 
 }  // namespace umbral

@@ -92,6 +92,7 @@ TEST_F(Cli, AnotherViewThanTheScenesOwn) {
   EXPECT_TRUE(has(run(render + "--look-at 0,0,3"), "there is no direction to look in"));
   EXPECT_TRUE(has(run(render + "--up 0,0,1"), "give another --up"));
   EXPECT_TRUE(has(run(render + "--fov 180"), "--fov must be below 180"));
+  EXPECT_TRUE(has(run(render + "--position 3e18,0,0"), "beyond the 1e+17 that rays can be traced to"));
   EXPECT_NE(run(render + "--look-at 1,2").exit_code, 0);
 }
 

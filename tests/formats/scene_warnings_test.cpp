@@ -136,8 +136,44 @@ TEST(SceneWarnings, ShapesFarFromTheOrigin) {
   EXPECT_TRUE(
       contains(far,
                "sphere is so far from the origin that its points are exact only to 1.1 of its size (so are "
-               "1 more shapes)"))
+               "1 more)"))
       << far;
+}
+
+// Finite numbers, but squares or inverses of them are not; the second of each is within the limit.
+TEST(SceneErrors, NumbersBeyondWhatRaysCanBeTracedWith) {
+  const auto errors = [](const std::string& text) {
+    return SceneFolder().errors_of_toml(std::string(matte) + environment + text);
+  };
+  const std::string ball = shape("type = \"sphere\"");
+  const auto far_ball = [&](const std::string& x) {
+    return camera + shape("name = \"ball\"\ntype = \"sphere\"\ncenter = [" + x + ", 0, 0]");
+  };
+  EXPECT_EQ(
+      errors(far_ball("2e18")),
+      "scene.toml:7:1: error: sphere 'ball' reaches out to 2e+18, beyond the 1e+17 that rays can be traced "
+      "to\n    7 | [[shapes]]\n      | ^");
+  EXPECT_EQ(errors(far_ball("2e16")), "no error");
+  const auto view = [&](const std::string& settings) { return errors(camera + settings + ball); };
+  EXPECT_TRUE(contains(errors("[camera]\nposition = [2e18, 0, 5]\n" + ball), "the camera is at 2e+18"));
+  EXPECT_TRUE(contains(view("lens_radius = 1e20\n"), "the camera's lens, fov or shift"));
+  EXPECT_TRUE(contains(view("shift = [1e20, 0]\n"), "the camera's lens, fov or shift"));
+  EXPECT_TRUE(contains(view("lens_radius = 1\nfocus_distance = 1e-30\n"), "the camera's lens, fov or shift"));
+  EXPECT_EQ(view("lens_radius = 1e10\nfov = 179.9\nshift = [1e10, 0]\n"), "no error");
+  const auto lamp = [&](const std::string& settings) {
+    return errors(camera + ball + "[[lights]]\ntype = \"point\"\n" + settings);
+  };
+  EXPECT_TRUE(contains(lamp("position = [0, 1e20, 0]\n"), "a light is at 1e+20"));
+  EXPECT_TRUE(contains(lamp("intensity = 2e30\n"), "a light is brighter than the 1e+30"));
+  EXPECT_EQ(lamp("intensity = 9e29\n"), "no error");
+  EXPECT_TRUE(contains(errors(camera + shape("type = \"sphere\"\nemission = 2e30")), "sphere is brighter"));
+  const auto instance = [&](const std::string& scale) {
+    return errors(std::string(camera) +
+                  "[objects.o]\n[[objects.o.shapes]]\ntype = \"sphere\"\nmaterial = \"m\"\n" +
+                  "[[instances]]\nobject = \"o\"\ntransform = [{ scale = " + scale + " }]\n");
+  };
+  EXPECT_TRUE(contains(instance("1e-17"), "an instance of 'o' is too small or too flat"));
+  EXPECT_EQ(instance("1e-15"), "no error");
 }
 
 TEST(SceneWarnings, NegativeAndMissingTexelsAreRepairedAndTold) {

@@ -4,7 +4,7 @@
 namespace umbral {
 
 std::optional<LightSample> DistantLight::sample(const Vec3&) const {
-  return LightSample{-glm::normalize(direction), irradiance, 1, true};
+  return LightSample{-Vec3(glm::normalize(Vec3d(direction))), irradiance, 1, true};
 }
 
 }  // namespace umbral

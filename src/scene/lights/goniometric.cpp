@@ -5,8 +5,9 @@ namespace umbral {
 
 Mat3 GoniometricLight::to_image() const {
   if (image_from_world) return *image_from_world;
-  const Vec3 down = glm::normalize(axis), forward = glm::normalize(front - dot(front, down) * down);
-  return transpose(Mat3(cross(forward, down), -down, -forward));
+  const Vec3d down = glm::normalize(Vec3d(axis)),
+              forward = glm::normalize(Vec3d(front) - dot(Vec3d(front), down) * down);
+  return Mat3(transpose(glm::dmat3(cross(forward, down), -down, -forward)));
 }
 
 Spectrum GoniometricLight::intensity_towards(const Vec3& direction) const {

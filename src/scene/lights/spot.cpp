@@ -20,7 +20,7 @@ std::optional<LightSample> SpotLight::sample(const Vec3& p) const {
   const float distance = glm::length(to_light);
   if (!(distance > 0)) return std::nullopt;
   const Vec3 wi = to_light / distance;
-  const float share = falloff(dot(-wi, glm::normalize(target - position)));
+  const float share = falloff(dot(-wi, Vec3(glm::normalize(Vec3d(target) - Vec3d(position)))));
   if (share == 0) return std::nullopt;
   return LightSample{wi, intensity * (share / sqr(distance)), 1, true, distance, position};
 }
