@@ -23,16 +23,32 @@ bool has_light(const SceneBuilder& scene, float brightest_label) {
                      [&](const Instance& i) { return shines(scene.objects[index_of(i.object)].content); });
 }
 
+// What is flat is not seen from its edge.
+Vec3d facing(const Vec3d& half) {
+  constexpr double flat = 0.1;
+  if (half.y < flat * half.z) return glm::normalize(Vec3d(0, -1, -1));
+  if (half.x < flat * half.z) return {-1, 0, 0};
+  return {0, 0, -1};
+}
+
 }  // namespace
 
 CameraSettings framing_camera(const Bounds& bounds, double aspect) {
   constexpr double margin = 1.1;
   CameraSettings camera;
   const Vec3d middle = (bounds.low + bounds.high) / 2.0, half = (bounds.high - bounds.low) / 2.0;
+  const Vec3d view = facing(half), right = glm::normalize(cross(view, Vec3d(camera.up))),
+              up = cross(right, view);
   const double slope = std::tan(glm::radians(static_cast<double>(camera.fov)) / 2);
-  const double reach = margin * std::max({half.y / slope, half.x / (slope * aspect), 0.05 * half.z});
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d p = half * Vec3d(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const double before = -dot(p, view);
+    const double needed = std::max(std::abs(dot(p, up)), std::abs(dot(p, right)) / aspect) / slope;
+    distance = std::max({distance, before + margin * needed, 1.05 * before});
+  }
   camera.look_at = Vec3(middle);
-  camera.position = Vec3(middle + Vec3d(0, 0, half.z + reach));
+  camera.position = Vec3(middle - distance * view);
   return camera;
 }
 

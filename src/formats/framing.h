@@ -7,8 +7,8 @@
 
 namespace umbral {
 
-// Looks along −z at the middle of the box, so that its front face fills most of the image. `aspect` is width
-// over height.
+// Looks along −z at the middle of the box, so that its front face fills most of the image; at a box that lies flat from
+// above, at one that stands edge-on from the right. `aspect` is width over height.
 CameraSettings framing_camera(const Bounds& bounds, double aspect);
 
 // Light for models that bring none: grey, dark below the horizon, with a wide window above to the left in front, so that

@@ -208,6 +208,28 @@ TEST(AutomaticCamera, FramesTheFrontOfTheScene) {
   }
 }
 
+TEST(AutomaticCamera, SeesFlatThingsFromTheirFace) {
+  const auto view = [](const Vec3d& half) {
+    const CameraSettings camera = framing_camera({-half, half}, 1.5);
+    const Camera seen_by(camera, 150, 100);
+    // All corners are in the image.
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = Vec3(half) * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      const Vec3 forward = seen_by.forward(), right = glm::normalize(cross(forward, camera.up));
+      const Vec3 d = p - camera.position;
+      const float slope = std::tan(glm::radians(camera.fov / 2)) * dot(d, forward);
+      EXPECT_LT(std::abs(dot(d, right)), 1.5f * slope);
+      EXPECT_LT(std::abs(dot(d, cross(right, forward))), slope);
+    }
+    return seen_by.forward();
+  };
+  EXPECT_EQ(view({2, 1, 2}), Vec3(0, 0, -1));
+  EXPECT_EQ(view({0, 1, 0}), Vec3(0, 0, -1));
+  EXPECT_EQ(view({0, 1, 2}), Vec3(-1, 0, 0));
+  EXPECT_LT(glm::length(view({2, 0, 2}) - glm::normalize(Vec3(0, -1, -1))), 1e-6f);
+  EXPECT_EQ(view({2, 0.1, 0}), Vec3(0, 0, -1));
+}
+
 TEST(AutomaticCamera, StandsInForAMissingOne) {
   const SceneFolder folder;
   const SceneFile file = folder.read_toml(std::string(matte) + environment + shape("type = \"sphere\""));
