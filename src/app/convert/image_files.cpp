@@ -45,7 +45,7 @@ bool ImageFiles::is_that(const std::filesystem::path& file, ColorSpace space,
 }
 
 std::string ImageFiles::relative(const std::filesystem::path& file) const {
-  return std::filesystem::relative(file, folder_).generic_string();
+  return std::filesystem::relative(std::filesystem::absolute(file), folder_).generic_string();
 }
 
 ImageFiles::Place ImageFiles::place_of(const std::shared_ptr<const TextureImage>& image,
