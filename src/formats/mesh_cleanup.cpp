@@ -12,8 +12,10 @@ Vec3d area_vector(const Mesh& mesh, const glm::uvec3& t) {
 }
 
 std::size_t drop_degenerate_triangles(Mesh& mesh) {
-  return std::erase_if(mesh.triangles,
-                       [&](const glm::uvec3& t) { return !(glm::length(area_vector(mesh, t)) > 0); });
+  return std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
+    const Vec3d area = area_vector(mesh, t);
+    return !(dot(area, area) > 0);  // of floats, the square cannot vanish in double
+  });
 }
 
 // Unit length; none for a vector without direction.

@@ -1,6 +1,8 @@
 // Fans and ear clipping.
 #include "formats/triangulate.h"
 
+#include <array>
+
 namespace umbral {
 namespace {
 
@@ -12,7 +14,8 @@ double turn(const Point& a, const Point& b, const Point& c) {
 }
 
 // The polygon seen from its outer side along the axis that its normal follows most: counter-clockwise.
-std::vector<Point> projected(std::span<const std::uint32_t> polygon, std::span<const Vec3> positions) {
+void project(std::span<const std::uint32_t> polygon, std::span<const Vec3> positions,
+             std::span<Point> points) {
   Vec3d normal{0};
   const Vec3d origin(positions[polygon[0]]);
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -21,15 +24,13 @@ std::vector<Point> projected(std::span<const std::uint32_t> polygon, std::span<c
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const double side = normal[axis] < 0 ? -1 : 1;
-  std::vector<Point> points;
-  for (const std::uint32_t index : polygon) {
-    const Vec3d p = Vec3d(positions[index]) - origin;
-    points.push_back({side * p[u], p[v]});
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3d p = Vec3d(positions[polygon[i]]) - origin;
+    points[i] = {side * p[u], p[v]};
   }
-  return points;
 }
 
-bool is_convex(const std::vector<Point>& points) {
+bool is_convex(std::span<const Point> points) {
   const std::size_t n = points.size();
   for (std::size_t i = 0; i < n; ++i)
     if (turn(points[i], points[(i + 1) % n], points[(i + 2) % n]) < 0) return false;
@@ -39,7 +40,7 @@ bool is_convex(const std::vector<Point>& points) {
 // Clips one corner after the other off a polygon.
 class EarClipper {
  public:
-  EarClipper(std::span<const std::uint32_t> polygon, const std::vector<Point>& points)
+  EarClipper(std::span<const std::uint32_t> polygon, std::span<const Point> points)
       : polygon_(polygon), points_(points), left_(points.size()) {
     for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = i;
   }
@@ -80,7 +81,7 @@ class EarClipper {
   }
 
   std::span<const std::uint32_t> polygon_;
-  const std::vector<Point>& points_;
+  std::span<const Point> points_;
   std::vector<std::size_t> left_;
 };
 
@@ -92,7 +93,10 @@ bool triangulate(std::span<const std::uint32_t> polygon, std::span<const Vec3> p
     triangles.push_back({polygon[0], polygon[1], polygon[2]});
     return true;
   }
-  const std::vector<Point> points = projected(polygon, positions);
+  std::array<Point, 8> few;  // nearly all polygons have four corners: no memory is asked for
+  std::vector<Point> many(polygon.size() > few.size() ? polygon.size() : 0);
+  const std::span<Point> points = many.empty() ? std::span(few).first(polygon.size()) : std::span(many);
+  project(polygon, positions, points);
   if (is_convex(points)) {
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
       triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});

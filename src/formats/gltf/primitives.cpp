@@ -114,6 +114,7 @@ void PrimitiveReader::read_indices() {
     for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<std::uint32_t>(i);
   }
   const std::size_t count = indices.size();
+  mesh_.triangles.reserve(primitive_.mode == triangles ? count / 3 : count);
   if (primitive_.mode == triangles) {
     for (std::size_t i = 0; i + 2 < count; i += 3)
       mesh_.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
