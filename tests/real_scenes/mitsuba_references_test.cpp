@@ -30,6 +30,10 @@ INSTANTIATE_TEST_SUITE_P(
                                  "instancing/refs/test_instancing_ref_rgb"},
                     MitsubaScene{"mirrors", "infinite_mirrors/scene_path.xml",
                                  "infinite_mirrors/refs/scene_ref_rgb"},
+                    MitsubaScene{"face_colours", "mesh_attributes/test_mesh_attributes_3_face_direct.xml",
+                                 "mesh_attributes/refs/test_mesh_attributes_3_face_ref_rgb"},
+                    MitsubaScene{"constant", "bsdf_spheres/test_constant_path.xml",
+                                 "bsdf_spheres/refs/test_constant_ref_rgb"},
                     MitsubaScene{"vertex_colours", "mesh_attributes/test_mesh_attributes_3_vertex_direct.xml",
                                  "mesh_attributes/refs/test_mesh_attributes_3_vertex_ref_rgb"}),
     [](const auto& tested) { return std::string(tested.param.name); });
