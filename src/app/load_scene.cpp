@@ -1,6 +1,10 @@
 // Wires the scene readers to the table of integrators.
 #include "app/load_scene.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "app/parameter_text.h"
 
 namespace umbral {
@@ -15,6 +19,9 @@ LoadedScene load_scene(const std::string& path, const ReadOptions& options) {
     loaded.integrators[kind]->describe(visitor);
   };
   loaded.file = read_scene_file(path, kinds, options);
+#ifdef __GLIBC__
+  malloc_trim(0);  // what reading took and left would stand beside the hierarchy of boxes while that is built
+#endif
   return loaded;
 }
 
