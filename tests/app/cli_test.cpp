@@ -60,7 +60,8 @@ TEST_F(Cli, AnEnvironmentTakesThePlaceOfTheScenes) {
   std::ofstream(folder_ / "sky.ppm") << "P3 2 1 255\n255 0 0 255 0 0\n";
   std::ofstream(folder_ / "dark.ppm") << "P3 1 1 255\n0 0 0\n";
   std::ofstream(folder_ / "m.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  std::ofstream(folder_ / "dark.toml") << "[materials.m]\ntype = \"matte\"\n[[shapes]]\ntype = \"sphere\"\nmaterial = \"m\"\n";
+  std::ofstream(folder_ / "dark.toml")
+      << "[materials.m]\ntype = \"matte\"\n[[shapes]]\ntype = \"sphere\"\nmaterial = \"m\"\n";
   EXPECT_TRUE(has(run("render m.obj --spp 8 --size 8x8 -o a.exr"), "no light is given"));
   EXPECT_TRUE(has(run("render dark.toml --spp 8 --size 8x8 -o a.exr"), "there is no light"));
   for (const char* scene : {"m.obj", "dark.toml"}) {
@@ -204,7 +205,9 @@ TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
   refused("help metarial", "did you mean 'material'?");
   refused("help torsu", "did you mean 'torus'?");
   refused("help zebra",
-          "known are 'camera', 'film', 'sampling', 'integrator', 'material', 'texture', 'shape' and 'light'");
+          "known are 'camera', 'film', 'sampling', 'integrator', 'material', 'texture', 'shape', 'light', "
+          "'object', "
+          "'instance' and 'include'");
 }
 
 TEST_F(Cli, UnwritableOutputIsToldBeforeTheRender) {

@@ -44,7 +44,9 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> table = {
       {"the standard output", std::regex("iostream|print"), {"app"}},
       {"standard library", std::regex("[a-z0-9_]+"), {}},
-      {"operating system", std::regex("(unistd|fcntl|signal|pthread|immintrin|(sys|linux)/[a-z]+)\\.h"), {}},
+      {"operating system",
+       std::regex("(unistd|fcntl|signal|pthread|immintrin|malloc|(sys|linux)/[a-z]+)\\.h"),
+       {}},
       {"GLM", std::regex("glm/.*"), {}},
       {"fmt", std::regex("fmt/.*"), {}},
       {"oneTBB", std::regex("(tbb|oneapi)/.*"), {"core"}},
@@ -58,7 +60,7 @@ const std::vector<Library>& libraries() {
       {"CLI11", std::regex("CLI/.*"), {"app"}},
       {"nlohmann/json", std::regex("nlohmann/.*"), {"app", "formats"}},
       {"pugixml", std::regex("pugixml\\.hpp"), {"formats/mitsuba/document"}},
-      {"zlib", std::regex("zlib\\.h"), {"formats/mitsuba/serialized_mesh"}},
+      {"zlib", std::regex("zlib\\.h"), {"formats/gzip", "formats/mitsuba/serialized_mesh"}},
       {"the version", std::regex("umbral_version\\.h"), {}},
   };
   return table;

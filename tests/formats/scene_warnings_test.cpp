@@ -210,14 +210,14 @@ TEST(AutomaticCamera, FramesTheFrontOfTheScene) {
 
 TEST(AutomaticCamera, SeesFlatThingsFromTheirFace) {
   const auto view = [](const Vec3d& half) {
-    const CameraSettings camera = framing_camera({-half, half}, 1.5);
-    const Camera seen_by(camera, 150, 100);
+    const CameraSettings settings = framing_camera({-half, half}, 1.5);
+    const Camera seen_by(settings, 150, 100);
     // All corners are in the image.
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 p = Vec3(half) * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-      const Vec3 forward = seen_by.forward(), right = glm::normalize(cross(forward, camera.up));
-      const Vec3 d = p - camera.position;
-      const float slope = std::tan(glm::radians(camera.fov / 2)) * dot(d, forward);
+      const Vec3 forward = seen_by.forward(), right = glm::normalize(cross(forward, settings.up));
+      const Vec3 d = p - settings.position;
+      const float slope = std::tan(glm::radians(settings.fov / 2)) * dot(d, forward);
       EXPECT_LT(std::abs(dot(d, right)), 1.5f * slope);
       EXPECT_LT(std::abs(dot(d, cross(right, forward))), slope);
     }
