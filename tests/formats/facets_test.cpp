@@ -124,6 +124,32 @@ TEST(MeshAttributes, ColoursOfFaces) {
   EXPECT_EQ(faces.positions[faces.triangles[1].z], Vec3(0, 1, 0));
 }
 
+// What is of little weight for the look does not keep a scene from being rendered.
+TEST(Approximations, OfFilmsFiltersAndIntegratorsAreTold) {
+  const SceneFolder folder;
+  folder.write(
+      "scene.pbrt",
+      "Film \"rgb\" \"string sensor\" \"canon_eos_5d\" \"float whitebalance\" 5000 \"float "
+      "maxcomponentvalue\" 10\nPixelFilter \"gaussian\" \"float xradius\" 2 \"float yradius\" 2 \"float "
+      "sigma\" .5\nIntegrator \"path\" \"bool regularize\" true\nWorldBegin\nShape \"sphere\"\n");
+  const SceneFile file = folder.read("scene.pbrt");
+  EXPECT_EQ(file.film.filter_radius, 1.5f);
+  ASSERT_EQ(file.approximated.size(), 5u);
+  EXPECT_TRUE(contains(file.approximated[0], "scene.pbrt:1: the colours of the sensor 'canon_eos_5d'"));
+  EXPECT_TRUE(contains(file.approximated[1], "white balance"));
+  EXPECT_TRUE(contains(file.approximated[2], "cut off by whole ones"));
+  EXPECT_TRUE(contains(file.approximated[3], "scene.pbrt:2: a gaussian that is cut at its radius"));
+  EXPECT_TRUE(contains(file.approximated[4], "scene.pbrt:3: roughness that is added"));
+  folder.write(
+      "scene.xml",
+      "<scene version='3.0.0'><sensor type='perspective'><film type='hdrfilm'><rfilter type='lanczos'>"
+      "<integer name='lobes' value='3'/></rfilter></film></sensor><shape type='sphere'/></scene>");
+  const SceneFile other = folder.read("scene.xml");
+  EXPECT_EQ(other.film.filter, FilterKind::gaussian);
+  ASSERT_EQ(other.approximated.size(), 1u);
+  EXPECT_TRUE(contains(other.approximated[0], "the filter 'lanczos' by a gaussian"));
+}
+
 TEST(OrthographicCameras, SeeAPartOfTheirPlane) {
   const SceneFolder folder;
   folder.write("scene.pbrt",

@@ -129,6 +129,14 @@ void Settings::filter(const Element& element) {
     film.filter = FilterKind::gaussian;
     radius = 3 * properties.number("stddev", 0.5);
     properties.ignore({"radius"});
+  } else if (element.type == "mitchell" || element.type == "catmullrom" || element.type == "lanczos") {
+    builder_.approximates(
+        element.place,
+        fmt::format("the filter '{}' by a gaussian, which has no negative lobes", element.type));
+    film.filter = FilterKind::gaussian;
+    film.filter_radius = 0;
+    properties.ignore({"A", "B", "C", "lobes", "radius"});
+    return properties.report_unknown();
   } else {
     return builder_.lacks(element.place, fmt::format("the filter '{}'", element.type));
   }

@@ -93,6 +93,10 @@ void Parameters::lacks(const std::string& name, const std::string& what) const {
   if (const Parameter* found = find(name)) builder_->lacks(found->place, what);
 }
 
+void Parameters::approximates(const std::string& name, const std::string& what) const {
+  if (const Parameter* found = find(name)) builder_->approximates(found->place, what);
+}
+
 void Parameters::error(const Parameter& at, std::string message) const {
   builder_->diagnostics.error(at.place, std::move(message));
 }

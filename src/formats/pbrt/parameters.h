@@ -52,6 +52,8 @@ class Parameters {
   void ignore(std::initializer_list<const char*> names) const;
   // What umbral lacks: `what` is told at that parameter, if it is there.
   void lacks(const std::string& name, const std::string& what) const;
+  // What umbral shows in its own way, likewise.
+  void approximates(const std::string& name, const std::string& what) const;
   void error(const Parameter& at, std::string message) const;
   void report_unknown(const std::string& of) const;
 

@@ -31,12 +31,15 @@ void Settings::film(const std::string& kind, const Parameters& parameters) {
     exposure_ = 1;
   }
   if (const std::string sensor = parameters.text("sensor", "cie1931"); sensor != "cie1931")
-    parameters.lacks("sensor", fmt::format("the sensor '{}'", sensor));
-  if (parameters.number("whitebalance", 0) != 0) parameters.lacks("whitebalance", "a white balance");
+    parameters.approximates("sensor",
+                            fmt::format("the colours of the sensor '{}' by the CIE 1931 observer's", sensor));
+  if (parameters.number("whitebalance", 0) != 0)
+    parameters.approximates("whitebalance",
+                            "a white balance by none: whites stay as warm or cold as they are");
   parameters.lacks("cropwindow", "a crop window; --crop renders a part of the image");
   parameters.lacks("pixelbounds", "pixel bounds; --crop renders a part of the image");
   if (const double most = parameters.number("maxcomponentvalue", 0); most > 0)
-    parameters.lacks("maxcomponentvalue", "a limit of the brightness of samples");
+    parameters.approximates("maxcomponentvalue", "samples that are cut off by whole ones, which is brighter");
   parameters.ignore({"filename", "diagonal", "savefp16"});
   parameters.report_unknown("film");
 }
@@ -53,20 +56,34 @@ void Settings::filter(const std::string& kind, const Parameters& parameters) {
   } else if (kind == "gaussian") {
     film.filter = FilterKind::gaussian;
     usual = 1.5;
-    const double radius = parameters.number("xradius", usual);
-    if (std::abs(parameters.number("sigma", 0.5) - radius / 3) > 0.01 * radius)
-      builder_.lacks(parameters.place(), "a gaussian whose sigma is not a third of its radius");
+    const double radius = parameters.number("xradius", usual), sigma = parameters.number("sigma", 0.5);
+    if (std::abs(sigma - radius / 3) > 0.01 * radius) {
+      builder_.approximates(parameters.place(), "a gaussian that is cut at its radius by one cut at 3 sigma");
+      parameters.ignore({"yradius"});
+      take_filter(3 * sigma, parameters);
+      return parameters.report_unknown("filter 'gaussian'");
+    }
+  } else if (kind == "mitchell" || kind == "sinc") {
+    film.filter = FilterKind::gaussian;
+    builder_.approximates(parameters.place(),
+                          fmt::format("the filter '{}' by a gaussian, which has no negative lobes", kind));
+    parameters.ignore({"xradius", "yradius", "B", "C", "tau"});
+    return parameters.report_unknown(fmt::format("filter '{}'", kind));
   } else {
     builder_.lacks(parameters.place(), fmt::format("the filter '{}'", kind));
-    parameters.ignore({"xradius", "yradius", "B", "C", "tau"});
+    parameters.ignore({"xradius", "yradius"});
     return;
   }
   const double x = parameters.number("xradius", usual), y = parameters.number("yradius", usual);
-  if (x != y) builder_.lacks(parameters.place(), "a filter that is wider in x than in y");
-  if (!(x > 0 && x <= 16))
-    builder_.diagnostics.error(parameters.place(), "a filter's radius must be above 0 and at most 16");
-  film.filter_radius = static_cast<float>(x);
+  if (x != y) builder_.approximates(parameters.place(), "a filter that is wider in x than in y by that of x");
+  take_filter(x, parameters);
   parameters.report_unknown(fmt::format("filter '{}'", kind));
+}
+
+void Settings::take_filter(double radius, const Parameters& parameters) {
+  if (!(radius > 0 && radius <= 16))
+    builder_.diagnostics.error(parameters.place(), "a filter's radius must be above 0 and at most 16");
+  result_.film.filter_radius = static_cast<float>(radius);
 }
 
 void Settings::sampler(const std::string& kind, const Parameters& parameters) {
@@ -92,7 +109,8 @@ void Settings::integrator(const std::string& kind, const Parameters& parameters)
     parameters.lacks("maxdepth", "a depth of 0, which shows nothing but lights");
     max_depth_ = 1;
   }
-  if (parameters.flag("regularize", false)) parameters.lacks("regularize", "regularization");
+  if (parameters.flag("regularize", false))
+    parameters.approximates("regularize", "roughness that is added to save noise by none");
   parameters.ignore({"lightsampler", "samplelights", "samplebsdf", "visualizestrategies", "visualizeweights",
                      "bootstrapsamples", "chains", "mutationsperpixel", "largestepprobability", "sigma",
                      "photonsperiteration", "radius", "seed"});

@@ -25,6 +25,7 @@ class Settings {
 
  private:
   void place();  // the camera
+  void take_filter(double radius, const Parameters& parameters);
 
   SceneBuilder& builder_;
   SceneFile& result_;
