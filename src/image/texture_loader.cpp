@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <new>
+#include <string_view>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -31,6 +32,15 @@ void require_few_texels(const OIIO::ImageSpec& spec, const std::string& path) {
   if (std::int64_t{spec.width} * spec.height > most_texels)
     throw SceneError({path}, fmt::format("the image has {} x {} texels, more than the {} supported",
                                          spec.width, spec.height, most_texels));
+}
+
+// A packet of TGA's run-length code is 128 texels at most, and OpenImageIO makes room for all that a header claims.
+void require_plausible(const OIIO::ImageInput& input, std::size_t bytes, const std::string& path) {
+  const OIIO::ImageSpec& spec = input.spec();
+  if (std::string_view(input.format_name()) != "targa") return;
+  if (std::int64_t{spec.width} * spec.height / 128 > static_cast<std::int64_t>(bytes))
+    throw SceneError({path}, fmt::format("the image is damaged: its {} bytes cannot hold {} x {} texels",
+                                         bytes, spec.width, spec.height));
 }
 
 // Some readers fill what a truncated file lacks with grey and leave a message: that is an error too.
@@ -158,11 +168,12 @@ TextureImage pfm_image(const std::string& path, ColorSpace color_space, std::vec
   return TextureImage(TextureImage::Texels(std::move(grid)));
 }
 
-// Read whole, or left in its file `path` where `memory` has no room for it.
-TextureImage loaded(OIIO::ImageInput& input, const std::string& path, ColorSpace color_space,
-                    std::vector<std::string>& repairs, TextureMemory* memory) {
+// Read whole, or left in its file `path` where `memory` has no room for it; `bytes` is the size of the file.
+TextureImage loaded(OIIO::ImageInput& input, std::size_t bytes, const std::string& path,
+                    ColorSpace color_space, std::vector<std::string>& repairs, TextureMemory* memory) {
   const OIIO::ImageSpec spec = input.spec();
   require_sane(spec, path);
+  require_plausible(input, bytes, path);
   const bool srgb = color_space == ColorSpace::srgb ||
                     (color_space == ColorSpace::automatic && !spec.format.is_floating_point());
   try {
@@ -185,7 +196,7 @@ TextureImage load_texture_image(const std::string& path, ColorSpace color_space,
                                 std::vector<std::string>& repairs, TextureMemory* memory) {
   if (is_pfm(path)) return pfm_image(path, color_space, repairs);
   const std::unique_ptr<OIIO::ImageInput> input = opened(path);
-  return loaded(*input, path, color_space, repairs, memory);
+  return loaded(*input, std::filesystem::file_size(path), path, color_space, repairs, memory);
 }
 
 TextureImage load_texture_image(std::string_view bytes, const std::string& name, ColorSpace color_space,
@@ -199,7 +210,7 @@ TextureImage load_texture_image(std::string_view bytes, const std::string& name,
   const std::string ending = "texture" + std::filesystem::path(name).extension().string();
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(ending, &config);
   if (!input) throw SceneError({name}, "the image cannot be read: " + OIIO::geterror());
-  return loaded(*input, name, color_space, repairs, nullptr);
+  return loaded(*input, bytes.size(), name, color_space, repairs, nullptr);
 }
 
 }  // namespace umbral
