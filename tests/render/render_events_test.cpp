@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "render/renderer.h"
 #include "support/scene_kit.h"
+#include "support/stability.h"
 
 namespace umbral::test {
 namespace {
@@ -82,6 +83,9 @@ TEST_F(RenderEvents, RefusedSamplesAreCountedLocatedAndReplayable) {
   EXPECT_EQ(result.film->layer(0, 3, 2), Vec3d(63.0 / 64));
   EXPECT_EQ(result.film->at(3, 2).samples, 64);
   EXPECT_EQ(result.film->at(4, 2).mean, Vec3d(1));
+  record({"Nothing hidden", "a sample that is NaN, infinite or negative is not counted, or not found again",
+          "3 of 3 counted, located and replayed", fmt::format("{} of 3", found.size()),
+          "pbrt-v4 #211: NaN after 18 h"});
 }
 
 // Each thread ends the tile it is in, at most.

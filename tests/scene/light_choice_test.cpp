@@ -1,7 +1,9 @@
 // Which light a scene asks: by power, none that shines forgotten, and densities that go with it.
 #include <gtest/gtest.h>
 
+#include "core/statistics.h"
 #include "support/chi_square.h"
+#include "support/stability.h"
 #include "worlds.h"
 
 namespace umbral {
@@ -85,6 +87,40 @@ TEST(LightChoice, AmongBlackLightsAloneIsEven) {
   for (int i = 0; i < 4; ++i) description.lights.emplace_back(PointLight{{0, 0, 0}, black});
   const Scene scene(std::move(description));
   for (const double p : probabilities(scene)) EXPECT_NEAR(p, 0.25, 1e-6);
+}
+
+// Chosen by the tree, with their true sum known.
+TEST(LightChoice, OfThousandsOverTwelveDecadesOfPowerKeepsTheirIrradiance) {
+  Random random(9);
+  SceneDescription description;
+  std::vector<PointLight> lamps;
+  for (int i = 0; i < 3000; ++i)
+    lamps.push_back({Vec3(random.in_cube(10)), grey(static_cast<float>(random.log_between(1e-6, 1e6)))});
+  description.lights.assign(lamps.begin(), lamps.end());
+  const Scene scene(std::move(description));
+  double worst = 0;
+  for (int k = 0; k < 3; ++k) {
+    const LightReceiver receiver{Vec3(random.in_cube(10)), Vec3(random.direction())};
+    double expected = 0;
+    for (const PointLight& lamp : lamps) {
+      const Vec3d way = Vec3d(lamp.position) - Vec3d(receiver.p);
+      expected += static_cast<double>(lamp.intensity.g) * std::abs(dot(way, Vec3d(receiver.n))) /
+                  std::pow(glm::length(way), 3);
+    }
+    Moments moments;
+    for (int i = 0; i < 100'000; ++i) {
+      const auto choice = scene.choose_light(LightSelection::tree, receiver, random.number());
+      const auto sample = scene.sample_light(choice.light, receiver, random.square());
+      ASSERT_TRUE(sample);
+      moments.add(static_cast<double>(sample->radiance.g * std::abs(dot(sample->wi, receiver.n)) /
+                                      choice.probability));
+    }
+    EXPECT_LT(std::abs(moments.mean - expected), 4.5 * moments.standard_error());
+    EXPECT_LT((4.5 + 1.29) * moments.standard_error(), 0.02 * expected) << "too few draws";
+    worst = std::max(worst, std::abs(moments.mean / expected - 1));
+  }
+  record({"Lights", "3000 lights of 1e-6 to 1e6 W/sr shine other than their sum",
+          "equal within 4.5 σ, 2 % would show", fmt::format("{:.2g} %", 100 * worst)});
 }
 
 // A lamp in a wide landscape under the sun: against the sun's power, over all of the land, the lamp's is as nothing,

@@ -34,6 +34,7 @@ struct Trial {
   Vec3d target;                 // a world point on the shape; random ones lie about it
   double size;                  // world
   NextCrossing next = nullptr;  // of analytic shapes
+  bool flat = false;            // whatever of it is met again is where the ray started
 };
 
 template <class Analytic>
@@ -50,7 +51,7 @@ Trial analytic_trial(const Analytic& shape, const Affine& place, const Vec3d& ta
 bool is_self_hit(const Trial& trial, const Hit& left, const Surface& surface, const Vec3& d,
                  const std::optional<Hit>& again) {
   if (!again || again->geometry != left.geometry || again->instance != left.instance) return false;
-  if (!trial.next) return again->primitive == left.primitive;
+  if (!trial.next) return trial.flat || again->primitive == left.primitive;
   return again->t < std::min(0.5 * trial.next(surface.p, d), 0.01 * trial.size);
 }
 
@@ -124,6 +125,16 @@ Trial triangle_trial(Random& random, double thinness) {
   return {polygon({a, b, c}), {}, (Vec3d(a) + Vec3d(b) + Vec3d(c)) / 3.0, size * thinness};
 }
 
+// Twice the same triangle, from corners of its own.
+Trial doubled_triangle_trial(Random& random, double thinness) {
+  Trial trial = triangle_trial(random, thinness);
+  auto& mesh = std::get<Mesh>(trial.kind);
+  for (const std::size_t corner : {1u, 2u, 0u}) mesh.positions.push_back(mesh.positions[corner]);
+  mesh.triangles.push_back({3, 4, 5});
+  trial.flat = true;
+  return trial;
+}
+
 Trial box_trial(Random& random) {
   const Vec3d half(any_size(random), any_size(random), any_size(random)), middle = far_or_near(random);
   const double size = std::min({half.x, half.y, half.z});
@@ -180,6 +191,16 @@ TEST(SelfHits, OfTrianglesAreNone) {
     expect_no_self_hits(
         fmt::format("triangles, {:g} as thin as long", thinness),
         [=](Random& random) { return triangle_trial(random, thinness); }, false, seed++);
+  }
+}
+
+TEST(SelfHits, OfDoubledTrianglesAreNone) {
+  std::uint64_t seed = 60;
+  for (const double thinness : {1.0, 1e-3, 1e-6}) {
+    SCOPED_TRACE(thinness);
+    expect_no_self_hits(
+        fmt::format("triangles that lie there twice, {:g} as thin as long", thinness),
+        [=](Random& random) { return doubled_triangle_trial(random, thinness); }, false, seed++);
   }
 }
 

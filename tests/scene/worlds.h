@@ -44,6 +44,27 @@ inline Mesh icosphere(int levels, bool with_normals = false) {
   return mesh;
 }
 
+/// The same surface of triangles that share no vertices and begin at another corner each, among which are others without
+/// area: along edges, and points.
+inline Mesh loosened(const Mesh& mesh) {
+  Mesh loose;
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto first = static_cast<unsigned>(loose.positions.size());
+    loose.positions.insert(loose.positions.end(), {a, b, c});
+    loose.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (unsigned i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    const Vec3 &a = mesh.positions[t[i % 3]], &b = mesh.positions[t[(i + 1) % 3]],
+               &c = mesh.positions[t[(i + 2) % 3]];
+    add(a, b, c);
+    if (i % 5 == 0) add(a, b, a);
+    if (i % 5 == 1) add(c, c, c);
+    if (i % 5 == 2) add(a, b, (a + b) * 0.5f);
+  }
+  return loose;
+}
+
 /// The shape moved by `to_world`, as a shape of the world or as the only one of an instanced object.
 inline SceneDescription world_of(ShapeKinds kind, const Affine& to_world, bool instanced,
                                  const Spectrum& emission = black) {

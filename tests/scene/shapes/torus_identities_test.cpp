@@ -3,6 +3,7 @@
 
 #include "core/statistics.h"
 #include "scene/shapes/rays.h"
+#include "support/stability.h"
 
 namespace umbral::test {
 namespace {
@@ -84,6 +85,16 @@ TEST_P(TorusIdentities, CroftonCountsAndLengths) {
   const double ball = 4 * pi_d * sqr(1 + a());
   expect_mean(hits, 2 * torus().area() / ball);
   expect_mean(lengths, 2 * pi_d * a() * a() / sqr(1 + a()));
+  const auto off = [](const Moments& moments, double expected) {
+    return fmt::format("{:+.2f} ± {:.2f} %", 100 * (moments.mean / expected - 1),
+                       100 * moments.standard_error() / expected);
+  };
+  record({"Solvers",
+          fmt::format(
+              "isotropic lines cross a torus of r = {:g} R, or are within it, other than Crofton says", a()),
+          "equal within 4 σ, 1 % would show; never an odd number",
+          "crossings " + off(hits, 2 * torus().area() / ball) + ", lengths " +
+              off(lengths, 2 * pi_d * a() * a() / sqr(1 + a()))});
 }
 
 TEST(Torus, IsPlacedByItsRadii) {
