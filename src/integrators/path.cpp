@@ -1,14 +1,10 @@
 // The path loop.
 #include "integrators/path.h"
 
+#include "integrators/multiple_importance.h"
+
 namespace umbral {
 namespace {
-
-// The power heuristic w = p²/(p² + q²), written so that large densities do not overflow.
-float power_heuristic(float p, float q) {
-  if (!(p > 0)) return 0;
-  return 1 / (1 + sqr(q / p));
-}
 
 // Whether the shading and the true surface agree on which side `wi` leaves by.
 bool sides_agree(const Surface& surface, const Vec3& wi, const Vec3& local) {
