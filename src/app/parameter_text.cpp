@@ -55,6 +55,9 @@ void ParameterTexts::operator()(const ParameterInfo& info, Textured<float>& v) {
 void ParameterTexts::operator()(const ParameterInfo& info, Textured<Spectrum>& v) {
   add(info, "colour or texture", color(v.value));
 }
+void ParameterTexts::operator()(const ParameterInfo& info, MaterialId&) {
+  add(info, "name of a material", "\"\"");
+}
 
 void ParameterTexts::choice(const ParameterInfo& info, int& index, std::span<const char* const> names) {
   std::string type = "one of ";

@@ -30,6 +30,7 @@ class ParameterTexts : public ParameterVisitor {
   void operator()(const ParameterInfo&, ColorStops&) override;
   void operator()(const ParameterInfo&, Textured<float>&) override;
   void operator()(const ParameterInfo&, Textured<Spectrum>&) override;
+  void operator()(const ParameterInfo&, MaterialId&) override;
   void choice(const ParameterInfo&, int& index, std::span<const char* const> names) override;
 
   const std::vector<ParameterText>& texts() const { return texts_; }

@@ -69,6 +69,13 @@ float hemisphere_average(F&& f) {
 inline float fourth_root(float x) { return std::sqrt(std::sqrt(std::max(0.0f, x))); }
 inline float fourth_power(float x) { return sqr(sqr(x)); }
 
+// The coordinate of an index of refraction, 1 … 10, along which tables for several are kept: √(1 − 1/eta), as the cosine of
+// the critical angle is nearly in proportion to it.
+inline constexpr int index_nodes = 28;
+inline constexpr float widest_index = 0.9f;  // 1 − 1/10
+inline float coordinate_of_index(float eta) { return std::sqrt((1 - 1 / eta) / widest_index); }
+inline float index_of_coordinate(float x) { return 1 / (1 - widest_index * sqr(x)); }
+
 // Tables at even steps of a coordinate, each made when it is first asked for.
 template <class Table, int count>
 class Tables {
@@ -77,17 +84,17 @@ class Tables {
   template <class Get, class Mix, class Make>
   auto interpolated(float x, Get&& get, Mix&& mix, Make&& make) {
     const Cell cell = cell_of(x, count);
-    const auto low = get(table(cell.i, make));
-    return cell.t == 0 ? low : mix(low, get(table(cell.i + 1, make)), cell.t);
+    const auto low = get(at(cell.i, make));
+    return cell.t == 0 ? low : mix(low, get(at(cell.i + 1, make)), cell.t);
   }
 
- private:
   template <class Make>
-  const Table& table(int i, Make&& make) {
+  const Table& at(int i, Make&& make) {
     std::call_once(made_[i], [&] { tables_[i] = std::make_unique<Table>(make(node(i, count))); });
     return *tables_[i];
   }
 
+ private:
   std::array<std::once_flag, count> made_;
   std::array<std::unique_ptr<Table>, count> tables_;
 };

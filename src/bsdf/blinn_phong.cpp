@@ -56,6 +56,13 @@ Spectrum BlinnPhong::f_cos(const Vec3& wo, const Vec3& wi) const {
   return terms.diffuse + terms.specular;
 }
 
+// The highlight is as wide as that of facets with alpha² = 2/(n + 2) [Walter et al. 2007].
+void BlinnPhong::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
+  const BlinnPhongTerms terms = blinn_phong_f_cos(local_model(), wo, wi);
+  visit(terms.diffuse, Spread::matte());
+  visit(terms.specular, Spread::of_facets(std::sqrt(2 / (exponent + 2))));
+}
+
 float BlinnPhong::pdf(const Vec3& wo, const Vec3& wi) const {
   if (!same_side(wo, wi)) return 0;
   const float diffuse = diffuse_probability(*this);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "bsdf/bsdf.h"
+#include "bsdf/lobe_parts.h"
 #include "core/parameters.h"
 
 namespace umbral {
@@ -29,6 +30,7 @@ struct BlinnPhong {
       parameter<&BlinnPhong::ka>("ka", "ambient coefficient, in the local model only", zero_to_one)};
 
   Spectrum f_cos(const Vec3& wo, const Vec3& wi) const;
+  void each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const;
   float pdf(const Vec3& wo, const Vec3& wi) const;
   std::optional<BsdfSample> sample(const Vec3& wo, float u1, const Vec2& u2) const;
   Spectrum albedo() const;

@@ -1,7 +1,8 @@
-// Evaluation and sampling of coated metals: the layer by what it reflects, else the metal's own way.
+// Evaluation and sampling of coats: the layer by what it reflects, else as the lobe beneath draws.
 #include "bsdf/coat.h"
 
-#include "bsdf/skin.h"
+#include "bsdf/cover.h"
+#include "bsdf/lobes.h"
 
 namespace umbral {
 namespace {
@@ -13,73 +14,81 @@ Skin skin_of(const Coat& lobe) {
   return skin;
 }
 
-Conductor metal_of(const Coat& lobe) {
-  Conductor metal;
-  metal.metal = lobe.metal;
-  metal.reflectance = lobe.reflectance;
-  metal.roughness = lobe.metal_roughness;
-  return metal;
+Cover cover_of(const Coat& lobe) {
+  return {skin_of(lobe), 1, lobe.transmittance, glm::min(white, albedo(*lobe.base))};
 }
 
-float reflected_by_skin(const Coat& lobe, const Vec3& w) { return skin_of(lobe).albedo(std::abs(w.z)).g; }
-
-// The chance to sample the skin.
-float skin_chance(const Coat& lobe, const Vec3& wo) {
-  const Spectrum below = metal_of(lobe).fresnel(std::abs(wo.z)) * lobe.transmittance * lobe.transmittance;
-  return skin_probability(grey(reflected_by_skin(lobe, wo)), below);
-}
-
-Spectrum passed(const Coat& lobe, const Vec3& wo, const Vec3& wi) {
-  const float skin = std::max(reflected_by_skin(lobe, wo), reflected_by_skin(lobe, wi));
-  return lobe.transmittance * lobe.transmittance * (1 - skin);
+// The chance to sample the skin. What is dark along the normal may shine at grazing angles: it is always drawn too.
+float skin_chance(const Coat& lobe, const Cover& cover, float reflected) {
+  const Spectrum below = glm::max(cover.albedo_beneath, grey(0.1f)) * lobe.transmittance * lobe.transmittance;
+  return skin_probability(grey(reflected), below);
 }
 
 }  // namespace
 
-bool Coat::only_delta() const { return skin_of(*this).is_smooth() && metal_of(*this).only_delta(); }
+bool Coat::only_delta() const { return skin_of(*this).is_smooth() && umbral::only_delta(*base); }
 
 Spectrum Coat::f_cos(const Vec3& wo, const Vec3& wi) const {
-  if (!same_side(wo, wi)) return black;
-  return passed(*this, wo, wi) * metal_of(*this).f_cos(wo, wi) +
-         skin_of(*this).f_cos(on_side_of(wo, wo), on_side_of(wi, wi));
+  Spectrum f = black;
+  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
+  return f;
+}
+
+void Coat::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
+  if (!same_side(wo, wi)) return;
+  const Cover cover = cover_of(*this);
+  const Passage passage(cover, wo.z, wi.z);
+  const Skin& skin = cover.skin;
+  if (!skin.is_smooth())
+    visit(skin.f_cos(on_side_of(wo, wo), on_side_of(wi, wi)), Spread::of_facets(skin.ggx.alpha_x));
+  umbral::each_part(*base, wo, wi, [&](const Spectrum& part, Spread spread) {
+    if (!is_black(part)) visit(part * passage.of(spread), spread);
+  });
 }
 
 float Coat::pdf(const Vec3& wo, const Vec3& wi) const {
   if (!same_side(wo, wi)) return 0;
-  const float chance = skin_chance(*this, wo);
-  return chance * skin_of(*this).pdf(on_side_of(wo, wo), on_side_of(wi, wi)) +
-         (1 - chance) * metal_of(*this).pdf(wo, wi);
+  const Cover cover = cover_of(*this);
+  const float chance = skin_chance(*this, cover, Passage(cover, wo.z, wo.z).reflected());
+  return chance * cover.skin.pdf(on_side_of(wo, wo), on_side_of(wi, wi)) +
+         (1 - chance) * umbral::pdf(*base, wo, wi);
 }
 
 std::optional<BsdfSample> Coat::sample(const Vec3& wo, float u1, const Vec2& u2) const {
-  const float chance = skin_chance(*this, wo);
+  const Cover cover = cover_of(*this);
+  const Passage passage(cover, wo.z, wo.z);
+  const float chance = skin_chance(*this, cover, passage.reflected());
   if (u1 < chance) {
-    const Skin skin = skin_of(*this);
-    if (skin.is_smooth())
-      return BsdfSample{{-wo.x, -wo.y, wo.z}, white * (reflected_by_skin(*this, wo) / chance), 0, true};
-    const std::optional<Vec3> wi = skin.sample(on_side_of(wo, wo), u2);
+    if (cover.skin.is_smooth())
+      return BsdfSample{{-wo.x, -wo.y, wo.z}, white * (passage.reflected() / chance), 0, true};
+    const std::optional<Vec3> wi = cover.skin.sample(on_side_of(wo, wo), u2);
     return wi ? sample_at(*this, wo, on_side_of(*wi, wo)) : std::nullopt;
   }
   const float u = std::min((u1 - chance) / (1 - chance), one_minus_epsilon);
-  std::optional<BsdfSample> drawn = metal_of(*this).sample(wo, u, u2);
-  if (!drawn) return std::nullopt;
+  std::optional<BsdfSample> drawn = umbral::sample(*base, wo, u, u2);
+  if (!drawn || !same_side(wo, drawn->wi)) return std::nullopt;
   if (!drawn->delta) return sample_at(*this, wo, drawn->wi);
-  drawn->weight *= passed(*this, wo, drawn->wi) / (1 - chance);
+  drawn->weight *= passage.of_mirror() / (1 - chance);
   return drawn;
 }
 
 Spectrum Coat::albedo() const {
-  const Vec3 normal{0, 0, 1};
-  return grey(reflected_by_skin(*this, normal)) + passed(*this, normal, normal) * metal_of(*this).fresnel(1);
+  const Cover cover = cover_of(*this);
+  const Passage passage(cover, 1, 1);
+  return glm::min(white, grey(passage.reflected()) + passage.of_mirror() * cover.albedo_beneath);
 }
 
 // One highlight for both, as wide as the sharper.
 BlinnPhongCoefficients Coat::local_model() const {
-  BlinnPhongCoefficients k = metal_of(*this).local_model();
-  const float skin = skin_of(*this).interface.f0();
-  k.ks = glm::min(white, skin * white + (1 - skin) * transmittance * transmittance * k.ks);
-  const Ggx ggx = skin_of(*this).ggx;
-  k.exponent = std::max(k.exponent, skin_of(*this).is_smooth() ? 1000.0f : ggx.exponent());
+  BlinnPhongCoefficients k = to_blinn_phong(*base);
+  const Skin skin = skin_of(*this);
+  const float reflected = skin.interface.f0();
+  const Spectrum passed = (1 - reflected) * transmittance * transmittance;
+  const float exponent = skin.is_smooth() ? 1000.0f : skin.ggx.exponent();
+  k.exponent = is_black(k.ks) ? exponent : std::max(k.exponent, exponent);
+  k.ka *= passed;
+  k.kd *= passed;
+  k.ks = glm::min(white, reflected * white + passed * k.ks);
   return k;
 }
 

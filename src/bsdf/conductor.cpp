@@ -84,6 +84,11 @@ std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float u1, const Vec2
   return sample_at(*this, wo, from_facets(*this, wi, wo));
 }
 
+Spread Conductor::spread() const {
+  const Ggx ggx = ggx_of(*this);
+  return Spread::of_facets(std::sqrt(ggx.alpha_x * ggx.alpha_y));
+}
+
 BlinnPhongCoefficients Conductor::local_model() const {
   return {black, black, fresnel(1), only_delta() ? 1000 : ggx_of(*this).exponent()};
 }

@@ -4,6 +4,8 @@
 #include <tuple>
 
 #include "bsdf/bsdf.h"
+#include "bsdf/common_parameters.h"
+#include "bsdf/lobe_parts.h"
 #include "bsdf/metals.h"
 #include "bsdf/microfacet.h"
 
@@ -29,23 +31,19 @@ struct Conductor {
 
   static constexpr const char* kind = "conductor";
   static constexpr const char* doc = "a metal, polished or rough (GGX); by its name, complex index or colour";
-  static constexpr auto parameters = std::tuple{
-      parameter<&Conductor::metal>("metal", "its complex index by chemical symbol, instead of eta and k"),
-      parameter<&Conductor::reflectance>(
-          "reflectance", "colour seen at normal incidence, where there is no index", zero_to_one),
-      parameter<&Conductor::edge_tint>("edge_tint", "tint of that reflectance at 82°", zero_to_one),
-      parameter<&Conductor::eta>("eta", "real part of the index; with k, instead of the reflectance",
-                                 Range{0, 100}),
-      parameter<&Conductor::k>("k", "imaginary part of the index", Range{0, 100}),
-      parameter<&Conductor::roughness>("roughness", "square root of GGX's alpha; 0 is a mirror", zero_to_one),
-      parameter<&Conductor::anisotropy>(
-          "anisotropy", "alpha is roughness² (1 ± anisotropy) along u and across it: brushed metal",
-          zero_to_one),
-      parameter<&Conductor::anisotropy_rotation>(
-          "anisotropy_rotation", "of the direction along u, degrees, counter-clockwise", Range{0, 360}),
-      parameter<&Conductor::film_eta>("film_eta", "index of a thin film on it, as oxide on steel",
-                                      Range{1, 10}),
-      parameter<&Conductor::film_thickness>("film_thickness", "of that film, nm; 0 is none", Range{0, 1e4f})};
+  static constexpr auto parameters = std::tuple_cat(
+      std::tuple{
+          parameter<&Conductor::metal>("metal", "its complex index by chemical symbol, instead of eta and k"),
+          parameter<&Conductor::reflectance>(
+              "reflectance", "colour seen at normal incidence, where there is no index", zero_to_one),
+          parameter<&Conductor::edge_tint>("edge_tint", "tint of that reflectance at 82°", zero_to_one),
+          parameter<&Conductor::eta>("eta", "real part of the index; with k, instead of the reflectance",
+                                     Range{0, 100}),
+          parameter<&Conductor::k>("k", "imaginary part of the index", Range{0, 100}),
+          parameter<&Conductor::roughness>("roughness", "square root of GGX's alpha; 0 is a mirror",
+                                           zero_to_one)},
+      detail::anisotropy_parameters<Conductor>(detail::facet_anisotropy),
+      detail::film_parameters<Conductor>("index of a thin film on it, as oxide on steel"));
 
   bool only_delta() const { return sqr(roughness) < Ggx::smallest_alpha; }
   bool has_choice() const { return !only_delta(); }
@@ -54,6 +52,7 @@ struct Conductor {
   Spectrum f_cos(const Vec3& wo, const Vec3& wi) const;
   float pdf(const Vec3& wo, const Vec3& wi) const;
   std::optional<BsdfSample> sample(const Vec3& wo, float u1, const Vec2& u2) const;
+  Spread spread() const;
   Spectrum albedo() const { return fresnel(1); }
   BlinnPhongCoefficients local_model() const;
 

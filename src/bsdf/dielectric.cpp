@@ -21,20 +21,51 @@ struct Side {
 // The chance to reflect at a facet that reflects F.
 float chance_of(const Spectrum& f) { return f.r == f.g && f.g == f.b ? f.g : std::min(1.0f, luminance(f)); }
 
-float lost_of(const Dielectric& lobe, float cos_theta) {
-  return interface_shares(cos_theta, sqr(lobe.roughness), lobe.eta).lost;
+Ggx ggx_of(const Dielectric& lobe) {
+  const float alpha = sqr(lobe.roughness);
+  return lobe.anisotropy == 0 ? Ggx{alpha, alpha} : Ggx::of_roughness(lobe.roughness, lobe.anisotropy);
+}
+
+float round_alpha(const Ggx& ggx) {
+  return ggx.alpha_x == ggx.alpha_y ? ggx.alpha_x : std::sqrt(ggx.alpha_x * ggx.alpha_y);
+}
+
+// Directions in the frame along which the facets are stretched.
+bool is_turned(const Dielectric& lobe) { return lobe.anisotropy != 0 && lobe.anisotropy_rotation != 0; }
+Vec3 to_facets(const Dielectric& lobe, const Vec3& w) {
+  return is_turned(lobe) ? turned(w, lobe.anisotropy_rotation) : w;
+}
+Vec3 from_facets(const Dielectric& lobe, const Vec3& w) {
+  return is_turned(lobe) ? turned(w, -lobe.anisotropy_rotation) : w;
+}
+
+float ratio(float of_stretched, float of_round) { return of_round > 0 ? of_stretched / of_round : 1; }
+
+// M, for directions in the frame of the facets.
+float lost_of(const Dielectric& lobe, const Ggx& ggx, const Vec3& w) {
+  const float alpha = round_alpha(ggx);
+  const float lost = interface_shares(w.z, alpha, lobe.eta).lost;
+  if (ggx.alpha_x == ggx.alpha_y) return lost;
+  const Vec3 above = on_side_of(w, w);
+  return std::min(1.0f, lost * ratio(ggx_loss(ggx, above), ggx_loss({alpha, alpha}, above)));
+}
+
+float stretch_of_average(const Ggx& ggx) {
+  if (ggx.alpha_x == ggx.alpha_y) return 1;
+  const float alpha = round_alpha(ggx);
+  return ratio(ggx_average_loss(ggx), ggx_average_loss({alpha, alpha}));
 }
 
 // Of the lost light as much goes in as of one bounce's, unless as much could not come out again.
 Side side_of(const Dielectric& lobe, const Vec3& wo) {
-  const float alpha = sqr(lobe.roughness);
-  const InterfaceAverages averages = interface_averages(alpha, lobe.eta);
-  const float outside = std::max(1e-9f, averages.lost_outside);
-  const float inside = std::max(1e-9f, averages.lost_inside);
+  const Ggx ggx = ggx_of(lobe);
+  const InterfaceAverages averages = interface_averages(round_alpha(ggx), lobe.eta);
+  const float more = stretch_of_average(ggx);
+  const float outside = std::max(1e-9f, averages.lost_outside * more);
+  const float inside = std::max(1e-9f, averages.lost_inside * more);
   const float ratio = sqr(lobe.eta) * inside / outside;
-  const float to_inside = std::min(1 - averages.reflected / (1 - outside), ratio);
-  const float lost = lost_of(lobe, wo.z);
-  const Ggx ggx{alpha, alpha};
+  const float to_inside = std::min(1 - averages.reflected / (1 - std::min(0.999f, outside)), ratio);
+  const float lost = lost_of(lobe, ggx, wo);
   if (wo.z > 0) return {ggx, true, lobe.eta, lost, outside, inside, to_inside, lobe.interface()};
   return {ggx, false, 1 / lobe.eta, lost, inside, outside, to_inside / ratio, lobe.interface()};
 }
@@ -71,10 +102,11 @@ bool Dielectric::only_delta() const { return sqr(roughness) * std::min(1.0f, eta
 
 Spectrum Dielectric::f_cos(const Vec3& wo, const Vec3& wi) const {
   if (only_delta() || wo.z == 0 || wi.z == 0) return black;
-  const Side side = side_of(*this, wo);
-  const Vec3 o = turned(wo, wo), i = turned(wi, wo);
+  const Vec3 facets_o = to_facets(*this, wo), facets_i = to_facets(*this, wi);
+  const Side side = side_of(*this, facets_o);
+  const Vec3 o = turned(facets_o, wo), i = turned(facets_i, wo);
   const float zi = std::abs(i.z);
-  const float both = side.lost * lost_of(*this, wi.z) * inverse_pi;
+  const float both = side.lost * lost_of(*this, side.ggx, facets_i) * inverse_pi;
   if (i.z > 0) {
     const Vec3 sum = o + i;
     const float length = glm::length(sum);
@@ -94,9 +126,10 @@ Spectrum Dielectric::f_cos(const Vec3& wo, const Vec3& wi) const {
 
 float Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
   if (only_delta() || wo.z == 0 || wi.z == 0) return 0;
-  const Side side = side_of(*this, wo);
-  const Vec3 o = turned(wo, wo), i = turned(wi, wo);
-  const float diffuse = side.lost * lossy_direction_pdf(std::abs(i.z), side.ggx.alpha_x);
+  const Vec3 facets_o = to_facets(*this, wo);
+  const Side side = side_of(*this, facets_o);
+  const Vec3 o = turned(facets_o, wo), i = turned(to_facets(*this, wi), wo);
+  const float diffuse = side.lost * lossy_direction_pdf(std::abs(i.z), round_alpha(side.ggx));
   if (i.z > 0)
     return diffuse * (1 - side.through) +
            (1 - side.lost) * chance_of(facet_reflectance(side, o, i)) * side.ggx.reflection_pdf(o, i);
@@ -108,23 +141,23 @@ float Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
 }
 
 std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, float u1, const Vec2& u2) const {
-  const Vec3 o = turned(wo, wo);
+  const Vec3 o = turned(to_facets(*this, wo), wo);
   const float relative_eta = wo.z > 0 ? eta : 1 / eta;
   if (only_delta()) {
     const Spectrum f = interface().reflectance_from(wo.z > 0, o.z);
     const float chance = chance_of(f);
     if (u1 < chance) return BsdfSample{{-wo.x, -wo.y, wo.z}, reflectance * (f / chance), 0, true};
-    const std::optional<Vec3> down = refracted(o, relative_eta);
+    const std::optional<Vec3> down = refracted(turned(wo, wo), relative_eta);
     if (!down) return std::nullopt;
     const Spectrum passed = transmittance * ((white - f) / (1 - chance));
     return BsdfSample{turned(*down, wo), passed / sqr(relative_eta), 0, true};
   }
   if (wo.z == 0) return std::nullopt;
-  const Side side = side_of(*this, wo);
+  const Side side = side_of(*this, to_facets(*this, wo));
   if (u1 < side.lost) {
-    const Vec3 wi = sample_lossy_direction(u2, side.ggx.alpha_x);
+    const Vec3 wi = sample_lossy_direction(u2, round_alpha(side.ggx));
     const bool through = u1 < side.lost * side.through;
-    return sample_at(*this, wo, turned(through ? Vec3{wi.x, wi.y, -wi.z} : wi, wo));
+    return sample_at(*this, wo, from_facets(*this, turned(through ? Vec3{wi.x, wi.y, -wi.z} : wi, wo)));
   }
   const Vec3 h = side.ggx.sample_visible_normal(o, u2);
   const float share = (u1 - side.lost) / (1 - side.lost);
@@ -132,13 +165,12 @@ std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, float u1, const Vec
       share < chance_of(side.interface.reflectance_from(side.outside, std::max(0.0f, dot(o, h))));
   const std::optional<Vec3> wi = reflects ? reflected(o, h) : refracted_at(o, h, relative_eta);
   if (!wi || (wi->z > 0) != reflects) return std::nullopt;
-  return sample_at(*this, wo, turned(*wi, wo));
+  return sample_at(*this, wo, from_facets(*this, turned(*wi, wo)));
 }
 
 BlinnPhongCoefficients Dielectric::local_model() const {
-  const float alpha = sqr(roughness);
   return {black, black, reflectance * interface().reflectance(1),
-          only_delta() ? 1000 : Ggx{alpha, alpha}.exponent()};
+          only_delta() ? 1000 : ggx_of(*this).exponent()};
 }
 
 }  // namespace umbral

@@ -5,6 +5,7 @@
 
 #include "bsdf/absorption.h"
 #include "bsdf/bsdf.h"
+#include "bsdf/common_parameters.h"
 #include "bsdf/interface.h"
 #include "core/parameters.h"
 
@@ -17,7 +18,8 @@ namespace umbral {
 // A rough one loses the light that meets more than one facet. It is given back by two diffuse parts in which neither
 // side gains: with M = 1 − E what one bounce loses (bsdf/microfacet_albedo.h) and m its mean, on sides A and B,
 //   f_AA = (1 − t_A) M_A(wo) M_A(wi)/(π m_A),  f_AB = t_A M_A M_B/(π m_B) for light from A to B
-// [after Kulla and Conty 2017]; reciprocity asks for t_B m_B eta_B² = t_A m_A eta_A².
+// [after Kulla and Conty 2017]; reciprocity asks for t_B m_B eta_B² = t_A m_A eta_A². Stretched facets lose M as round ones
+// of the same area do, times the ratio of what stretched and round mirrors lose.
 struct Dielectric {
   float eta = 1.5f;
   Spectrum reflectance = grey(1.0f);
@@ -27,36 +29,33 @@ struct Dielectric {
   float attenuation_distance = infinity;
   float film_eta = 1.3f;
   float film_thickness = 0;
-  float film_share = 1;  // the last three are glTF's; no parameters of this kind
+  float film_share = 1;  // this and the next two are glTF's; no parameters of this kind
   float specular = 1;
   Spectrum specular_color = white;
+  float anisotropy = 0;
+  float anisotropy_rotation = 0;
 
   static constexpr const char* kind = "dielectric";
   static constexpr const char* doc = "clear or frosted glass, or water; its surface must be closed";
-  static constexpr auto parameters = std::tuple{
-      parameter<&Dielectric::eta>("eta", "index of refraction, inside over outside", Range{1, 10}),
-      parameter<&Dielectric::reflectance>("reflectance", "tint of what is reflected", zero_to_one),
-      parameter<&Dielectric::transmittance>("transmittance", "tint of what is refracted", zero_to_one),
-      parameter<&Dielectric::roughness>("roughness", "square root of GGX's alpha; 0 is smooth", zero_to_one),
-      parameter<&Dielectric::attenuation_color>(
-          "attenuation_color", "what is left of white light inside after attenuation_distance", zero_to_one),
-      parameter<&Dielectric::attenuation_distance>("attenuation_distance",
-                                                   "world units; inf is a body that absorbs nothing",
-                                                   Range{0, infinity, true, false}),
-      parameter<&Dielectric::film_eta>("film_eta", "index of a thin film on it", Range{1, 10}),
-      parameter<&Dielectric::film_thickness>("film_thickness", "of that film, nm; 0 is none",
-                                             Range{0, 1e4f})};
+  static constexpr auto parameters =
+      std::tuple_cat(detail::clear_parameters<Dielectric>("index of refraction, inside over outside"),
+                     std::tuple{parameter<&Dielectric::roughness>(
+                         "roughness", "square root of GGX's alpha; 0 is smooth", zero_to_one)},
+                     detail::anisotropy_parameters<Dielectric>(detail::facet_anisotropy),
+                     detail::attenuation_parameters<Dielectric>(),
+                     detail::film_parameters<Dielectric>("index of a thin film on it"));
 
   // Smooth, or so near to no interface at all that refraction spreads no wider than a smooth one's.
   bool only_delta() const;
   static constexpr bool has_choice() { return true; }
+  bool follows_tangent() const { return anisotropy != 0; }
 
   Spectrum f_cos(const Vec3& wo, const Vec3& wi) const;
   float pdf(const Vec3& wo, const Vec3& wi) const;
   std::optional<BsdfSample> sample(const Vec3& wo, float u1, const Vec2& u2) const;
   Spectrum albedo() const { return transmittance; }
 
-  static constexpr bool transmits = true;
+  static constexpr bool transmits() { return true; }
 
   // What is left of glass in a local model is its highlight, as strong as the reflection at normal incidence.
   BlinnPhongCoefficients local_model() const;

@@ -46,7 +46,7 @@ struct DiffuseTransmission {
 
   BlinnPhongCoefficients local_model() const { return {scaled(reflectance), scaled(reflectance), black, 1}; }
 
-  static constexpr bool transmits = true;
+  static constexpr bool transmits() { return true; }
 
  private:
   Spectrum scaled(const Spectrum& s) const {

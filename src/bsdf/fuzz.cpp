@@ -120,4 +120,12 @@ float Fuzz::f_cos(const Vec3& o, const Vec3& i) const {
 float Fuzz::albedo(float cos_theta) const { return table().albedo(cos_theta, alpha); }
 float Fuzz::average_albedo() const { return table().average(alpha); }
 
+// The steepness of E is about 0.9 + 0.06/alpha.
+float Fuzz::lean() const { return (1 - albedo(1) / average_albedo()) * std::min(2.5f, 0.9f + 0.06f / alpha); }
+
+float Fuzz::lean_of_passed(float strength) const {
+  const float average = average_albedo();
+  return -lean() * strength * average / (1 - strength * average);
+}
+
 }  // namespace umbral

@@ -29,6 +29,9 @@ struct Fuzz {
   // E: the share of light from an angle that it reflects (within 0.003), and the mean over the hemisphere.
   float albedo(float cos_theta) const;
   float average_albedo() const;
+  // Of E, and of 1 − s E, as in Spread: how they lean towards the horizon.
+  float lean() const;
+  float lean_of_passed(float strength) const;
 };
 
 }  // namespace umbral

@@ -6,10 +6,17 @@
 namespace umbral {
 
 Spectrum Gloss::f_cos(const Vec3& wo, const Vec3& wi) const {
-  if (!same_side(wo, wi)) return black;
+  Spectrum f = black;
+  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
+  return f;
+}
+
+void Gloss::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
+  if (!same_side(wo, wi)) return;
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
-  return body_f_cos(reflectance, skin.albedo(o.z), skin.albedo(i.z), skin.average_albedo(), i.z) +
-         skin.f_cos(o, i);
+  visit(body_f_cos(reflectance, skin.albedo(o.z), skin.albedo(i.z), skin.average_albedo(), i.z),
+        Spread::matte(skin.lean_of_passed()));
+  if (!skin.is_smooth()) visit(skin.f_cos(o, i), Spread::of_facets(skin.round_alpha()));
 }
 
 float Gloss::pdf(const Vec3& wo, const Vec3& wi) const {

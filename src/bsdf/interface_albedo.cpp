@@ -75,13 +75,11 @@ class InterfaceTable {
   std::array<Values, rough> averages_;                    // roots of the losses
 };
 
-// Over √(1 − 1/eta): the cosine of the critical angle is nearly in proportion to it.
 template <class Get>
 InterfaceTable::Values interpolated_index(float eta, Get&& get) {
-  static Tables<InterfaceTable, 28> tables;
-  constexpr float widest = 0.9f;  // eta = 10
-  return tables.interpolated(std::sqrt((1 - 1 / eta) / widest), get, InterfaceTable::mix,
-                             [](float x) { return InterfaceTable(1 / (1 - widest * sqr(x))); });
+  static Tables<InterfaceTable, index_nodes> tables;
+  return tables.interpolated(coordinate_of_index(eta), get, InterfaceTable::mix,
+                             [](float x) { return InterfaceTable(index_of_coordinate(x)); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "bsdf/bsdf.h"
+#include "bsdf/lobe_parts.h"
 #include "core/parameters.h"
 #include "core/warp.h"
 
@@ -38,6 +39,8 @@ struct Lambert {
     result->pdf = cosine_hemisphere_pdf(std::abs(wi.z));
     return result;
   }
+
+  static Spread spread() { return Spread::matte(); }
 
   Spectrum albedo() const { return reflectance; }
 

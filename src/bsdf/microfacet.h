@@ -69,10 +69,11 @@ struct Ggx {
   float exponent() const { return glm::clamp(2 / (alpha_x * alpha_y) - 2, 0.0f, 1e6f); }
 };
 
-// `w` in the frame that is turned by the angle (degrees, counter-clockwise) about z.
+// `w` in the frame that is turned by the angle (degrees, counter-clockwise) about z. Rounded in one way, whatever a compiler
+// makes of sums of products: what refracts at nearly alike media sees the last digit of both directions.
 inline Vec3 turned(const Vec3& w, float degrees) {
   const float angle = degrees * (pi / 180), c = std::cos(angle), s = std::sin(angle);
-  return {c * w.x + s * w.y, c * w.y - s * w.x, w.z};
+  return {std::fma(c, w.x, s * w.y), std::fma(c, w.y, -s * w.x), w.z};
 }
 
 // `w` mirrored at the facet with normal h.

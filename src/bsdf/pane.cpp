@@ -49,7 +49,7 @@ float Pane::pdf(const Vec3& wo, const Vec3& wi) const {
   const float lost = ggx_loss(skin.ggx, o);
   const float back = std::min(1.0f, luminance(share_back(*this)));
   const float share = std::min(1.0f, luminance(facet_reflectance(*this, o, i)));
-  return lost * (through ? 1 - back : back) * lossy_direction_pdf(i.z, skin.ggx.alpha_x) +
+  return lost * (through ? 1 - back : back) * lossy_direction_pdf(i.z, skin.round_alpha()) +
          (1 - lost) * (through ? 1 - share : share) * skin.pdf(o, i);
 }
 
@@ -68,7 +68,7 @@ std::optional<BsdfSample> Pane::sample(const Vec3& wo, float u1, const Vec2& u2)
   const float lost = ggx_loss(skin.ggx, o);
   if (u1 < lost) {
     const bool through = u1 >= lost * std::min(1.0f, luminance(share_back(*this)));
-    return to_side(sample_lossy_direction(u2, skin.ggx.alpha_x), through);
+    return to_side(sample_lossy_direction(u2, skin.round_alpha()), through);
   }
   const std::optional<Vec3> wi = skin.sample(o, u2);
   if (!wi) return std::nullopt;

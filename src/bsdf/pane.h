@@ -10,7 +10,7 @@ namespace umbral {
 // given back diffusely to both sides as the conductor's is, in the shares F_avg and 1 − F_avg.
 struct Pane {
   Spectrum transmittance;
-  Skin skin;  // round: alpha_x = alpha_y
+  Skin skin;
 
   bool only_delta() const { return skin.is_smooth(); }
 

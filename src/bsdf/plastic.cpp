@@ -3,6 +3,7 @@
 
 #include "bsdf/fresnel.h"
 #include "bsdf/microfacet_albedo.h"
+#include "bsdf/skin.h"
 #include "core/warp.h"
 
 namespace umbral {
@@ -11,6 +12,12 @@ namespace {
 bool is_smooth(const Plastic& lobe) { return sqr(lobe.roughness) < Ggx::smallest_alpha; }
 
 Ggx ggx_of(const Plastic& lobe) { return {sqr(lobe.roughness), sqr(lobe.roughness)}; }
+
+Skin skin_of(const Plastic& lobe) {
+  Skin skin{{}, ggx_of(lobe)};
+  skin.interface.eta = lobe.eta;
+  return skin;
+}
 
 // R: what the skin reflects in all.
 float skin_albedo(const Plastic& lobe, float cos_theta) {
@@ -37,18 +44,24 @@ float skin_probability(const Plastic& lobe, float skin) {
 }  // namespace
 
 Spectrum Plastic::f_cos(const Vec3& wo, const Vec3& wi) const {
-  if (!same_side(wo, wi)) return black;
+  Spectrum f = black;
+  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
+  return f;
+}
+
+void Plastic::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
+  if (!same_side(wo, wi)) return;
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
   const float average = skin_average(*this);
   const float both = (1 - skin_albedo(*this, o.z)) * (1 - skin_albedo(*this, i.z));
-  Spectrum f = body_color(*this, average) * (both * inverse_pi / (1 - average) * i.z);
+  visit(body_color(*this, average) * (both * inverse_pi / (1 - average) * i.z),
+        Spread::matte(skin_of(*this).lean_of_passed()));
   const Vec3 sum = o + i;
   const float length = glm::length(sum);
-  if (!is_smooth(*this) && length > 1e-12f) {
-    const Ggx ggx = ggx_of(*this);
-    f += fresnel_dielectric(0.5f * length, eta) * ggx.density(sum / length) * ggx.shadowed_cos(o, i) * white;
-  }
-  return f;
+  if (is_smooth(*this) || !(length > 1e-12f)) return;
+  const Ggx ggx = ggx_of(*this);
+  visit(fresnel_dielectric(0.5f * length, eta) * ggx.density(sum / length) * ggx.shadowed_cos(o, i) * white,
+        Spread::of_facets(ggx.alpha_x));
 }
 
 float Plastic::pdf(const Vec3& wo, const Vec3& wi) const {

@@ -6,6 +6,7 @@
 #include "bsdf/fuzz.h"
 #include "bsdf/gloss.h"
 #include "bsdf/pane.h"
+#include "bsdf/principled_layers.h"
 
 namespace umbral {
 namespace {
@@ -27,13 +28,18 @@ Interface interface_of(const Principled& p) {
   return {p.ior, p.specular, p.specular_color, film_of(p), p.iridescence};
 }
 
-Conductor metal_of(const Principled& p) {
-  const Ggx ggx = ggx_of(p);
+// The same stretch as roughness² (1 ± anisotropy).
+template <class Lobe>
+void stretch(Lobe& lobe, const Ggx& ggx) {
   const float sum = ggx.alpha_x + ggx.alpha_y;
+  lobe.roughness = std::sqrt(sum / 2);
+  lobe.anisotropy = ggx.alpha_x == ggx.alpha_y ? 0 : (ggx.alpha_x - ggx.alpha_y) / sum;
+}
+
+Conductor metal_of(const Principled& p) {
   Conductor metal;
   metal.reflectance = p.base_color;
-  metal.roughness = std::sqrt(sum / 2);
-  metal.anisotropy = p.anisotropy == 0 ? 0 : (ggx.alpha_x - ggx.alpha_y) / sum;
+  stretch(metal, ggx_of(p));
   metal.film_eta = p.iridescence_ior;
   metal.film_thickness = film_of(p).thickness;
   metal.film_share = p.iridescence;
@@ -43,7 +49,8 @@ Conductor metal_of(const Principled& p) {
 Gloss gloss_of(const Principled& p) { return {p.base_color, {interface_of(p), ggx_of(p)}}; }
 
 Dielectric glass_of(const Principled& p) {
-  Dielectric glass{p.ior, white, p.base_color, p.roughness};
+  Dielectric glass{p.ior, white, p.base_color};
+  stretch(glass, ggx_of(p));
   glass.film_eta = p.iridescence_ior;
   glass.film_thickness = film_of(p).thickness;
   glass.film_share = p.iridescence;
@@ -52,14 +59,7 @@ Dielectric glass_of(const Principled& p) {
   return glass;
 }
 
-Pane pane_of(const Principled& p) { return {p.base_color, {interface_of(p), {alpha_of(p), alpha_of(p)}}}; }
-
-Skin coat_of(const Principled& p) {
-  const float alpha = sqr(p.clearcoat_roughness);
-  return {Interface{}, {alpha, alpha}};
-}
-
-float sheen_strength(const Principled& p) { return max_component(p.sheen_color); }
+Pane pane_of(const Principled& p) { return {p.base_color, {interface_of(p), ggx_of(p)}}; }
 
 // Calls visit(weight, lobe) for each part of the mixture that has a weight; the weights sum to 1.
 template <class Visit>
@@ -79,23 +79,22 @@ float estimate(const Pane& pane, float) { return std::max(0.1f, luminance(pane.t
 
 bool is_single(const Principled& p) {
   const bool pure = p.metallic == 1 || (p.metallic == 0 && (p.transmission == 0 || p.transmission == 1));
-  return pure && p.clearcoat == 0 && sheen_strength(p) == 0;
+  return pure && !PrincipledLayers::exist(p);
 }
 
-// The layers as they lie over a direction: those of a clear body are on its outside alone.
-struct Layers {
-  float cos_theta;    // 0 where there are none
-  float coat, sheen;  // what they reflect in all
-};
-
-Layers layers_over(const Principled& p, const Vec3& w) {
-  if (w.z < 0 && p.has_inside()) return {0, 0, 0};
-  const float c = std::abs(w.z);
-  return {c, p.clearcoat > 0 ? p.clearcoat * coat_of(p).albedo(c).g : 0,
-          sheen_strength(p) > 0 ? sheen_strength(p) * Fuzz::of_roughness(p.sheen_roughness).albedo(c) : 0};
+// Calls visit for each part of the part of the mixture.
+void each_part_of(const Conductor& metal, const Vec3& o, const Vec3& i, PartVisit visit) {
+  visit(metal.f_cos(o, i), metal.spread());
 }
-
-float left_by(float one, float other) { return std::max(0.0f, 1 - std::max(one, other)); }
+void each_part_of(const Gloss& gloss, const Vec3& o, const Vec3& i, PartVisit visit) {
+  gloss.each_part(o, i, visit);
+}
+void each_part_of(const Dielectric& glass, const Vec3& o, const Vec3& i, PartVisit visit) {
+  visit(glass.f_cos(o, i), Spread::of_facets(sqr(glass.roughness) * std::sqrt(1 - sqr(glass.anisotropy))));
+}
+void each_part_of(const Pane& pane, const Vec3& o, const Vec3& i, PartVisit visit) {
+  visit(pane.f_cos(o, i), Spread::of_facets(pane.skin.round_alpha()));
+}
 
 // How samples are shared out.
 struct Chances {
@@ -103,7 +102,8 @@ struct Chances {
   float total = 1;  // of the estimates of the parts
 };
 
-Chances chances_of(const Principled& p, const Vec3& wo, const Layers& over) {
+Chances chances_of(const Principled& p, const Vec3& wo) {
+  const LayerShares over = PrincipledLayers::shares(p, wo);
   Chances c;
   c.coat = over.coat;
   c.sheen = (1 - over.coat) * over.sheen;
@@ -138,28 +138,32 @@ bool falls_in(float chance, float& u) {
 }  // namespace
 
 bool Principled::only_delta() const {
-  if ((clearcoat > 0 && !coat_of(*this).is_smooth()) || sheen_strength(*this) > 0) return false;
+  if (PrincipledLayers::scatter(*this)) return false;
   bool all = true;
   for_each_part(*this, [&](float, const auto& lobe) { all = all && lobe.only_delta(); });
   return all;
 }
 
 Spectrum Principled::f_cos(const Vec3& wo, const Vec3& wi) const {
-  if (wo.z == 0 || wi.z == 0) return black;
-  const Vec3 o = to_stretch(*this, wo), i = to_stretch(*this, wi);
   Spectrum f = black;
-  for_each_part(*this, [&](float weight, const auto& lobe) { f += weight * lobe.f_cos(o, i); });
-  if (clearcoat == 0 && sheen_strength(*this) == 0) return f;
-
-  const Layers over_o = layers_over(*this, wo), over_i = layers_over(*this, wi);
-  const bool reflects = same_side(wo, wi) && over_o.cos_theta > 0;
-  const Vec3 above_o = on_side_of(wo, wo), above_i = on_side_of(wi, wi);
-  f *= left_by(over_o.sheen, over_i.sheen);
-  if (reflects && sheen_strength(*this) > 0)
-    f += sheen_color * Fuzz::of_roughness(sheen_roughness).f_cos(above_o, above_i);
-  f *= left_by(over_o.coat, over_i.coat);
-  if (reflects && clearcoat > 0) f += clearcoat * coat_of(*this).f_cos(above_o, above_i);
+  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
   return f;
+}
+
+void Principled::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
+  if (wo.z == 0 || wi.z == 0) return;
+  const Vec3 o = to_stretch(*this, wo), i = to_stretch(*this, wi);
+  const auto each_beneath = [&](PartVisit visit_part) {
+    for_each_part(*this, [&](float weight, const auto& lobe) {
+      each_part_of(lobe, o, i, [&](const Spectrum& f, Spread spread) { visit_part(weight * f, spread); });
+    });
+  };
+  if (!PrincipledLayers::exist(*this)) return each_beneath(visit);
+  const PrincipledLayers layers(*this, wo, wi);
+  each_beneath([&](const Spectrum& part, Spread spread) {
+    if (!is_black(part)) visit(part * layers.passed(spread), spread);
+  });
+  layers.each_part(wo, wi, visit);
 }
 
 float Principled::pdf(const Vec3& wo, const Vec3& wi) const {
@@ -170,15 +174,15 @@ float Principled::pdf(const Vec3& wo, const Vec3& wi) const {
     for_each_part(*this, [&](float, const auto& lobe) { density = lobe.pdf(o, i); });
     return density;
   }
-  const Layers over = layers_over(*this, wo);
-  const Chances chances = chances_of(*this, wo, over);
+  const Chances chances = chances_of(*this, wo);
   for_each_part(*this, [&](float weight, const auto& lobe) {
     const float share = weight * estimate(lobe, std::abs(wo.z));
     if (share > 0) density += share / chances.total * lobe.pdf(o, i);
   });
   density *= chances.parts;
-  if (!same_side(wo, wi) || over.cos_theta == 0) return density;
-  if (chances.coat > 0) density += chances.coat * coat_of(*this).pdf(on_side_of(wo, wo), on_side_of(wi, wi));
+  if (!same_side(wo, wi)) return density;
+  if (chances.coat > 0)
+    density += chances.coat * PrincipledLayers::coat(*this).pdf(on_side_of(wo, wo), on_side_of(wi, wi));
   return density + chances.sheen * Fuzz::sample_pdf();
 }
 
@@ -186,11 +190,10 @@ std::optional<BsdfSample> Principled::sample(const Vec3& wo, float u1, const Vec
   if (wo.z == 0) return std::nullopt;
   const Vec3 o = to_stretch(*this, wo);
   const bool single = is_single(*this);
-  const Layers over = single ? Layers{0, 0, 0} : layers_over(*this, wo);
-  const Chances chances = single ? Chances{} : chances_of(*this, wo, over);
+  const Chances chances = single ? Chances{} : chances_of(*this, wo);
   float u = u1;
   if (falls_in(chances.coat, u)) {
-    const Skin coat = coat_of(*this);
+    const Skin coat = PrincipledLayers::coat(*this);
     if (coat.is_smooth())
       return BsdfSample{
           {-wo.x, -wo.y, wo.z}, clearcoat * coat.albedo(std::abs(wo.z)) / chances.coat, 0, true};
@@ -215,16 +218,16 @@ std::optional<BsdfSample> Principled::sample(const Vec3& wo, float u1, const Vec
   drawn->wi = from_stretch(*this, drawn->wi);
   if (single) return drawn;
   if (!drawn->delta) return sample_at(*this, wo, drawn->wi);
-  const Layers over_i = layers_over(*this, drawn->wi);
-  drawn->weight *= factor * left_by(over.sheen, over_i.sheen) * left_by(over.coat, over_i.coat);
+  drawn->weight *= factor;
+  if (PrincipledLayers::exist(*this))
+    drawn->weight *= PrincipledLayers(*this, wo, drawn->wi).passed_of_mirror();
   return drawn;
 }
 
 Spectrum Principled::albedo() const {
-  const Layers over = layers_over(*this, {0, 0, 1});
+  const LayerShares over = PrincipledLayers::shares(*this, {0, 0, 1});
   const Spectrum base = base_color;  // of metal, body and what shines through alike
-  const Spectrum sheen =
-      sheen_color * (sheen_strength(*this) > 0 ? over.sheen / sheen_strength(*this) : 0.0f);
+  const Spectrum sheen = over.sheen > 0 ? sheen_color * (over.sheen / max_component(sheen_color)) : black;
   return glm::min(white, over.coat * white + (1 - over.coat) * (sheen + (1 - over.sheen) * base));
 }
 

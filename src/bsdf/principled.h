@@ -5,6 +5,8 @@
 
 #include "bsdf/absorption.h"
 #include "bsdf/bsdf.h"
+#include "bsdf/common_parameters.h"
+#include "bsdf/lobe_parts.h"
 #include "core/parameters.h"
 
 namespace umbral {
@@ -12,11 +14,10 @@ namespace umbral {
 // A mixture under two layers [Khronos 2021; appendix B and the KHR_materials extensions]:
 //   f = clearcoat layer + (1 − c R) (sheen layer + (1 − s E) (m metal + (1 − m) ((1 − t) opaque + t clear))).
 // Metal is a Conductor, opaque a Gloss, clear a Dielectric, or a Pane where the wall is thin, each of which keeps its
-// energy. What a layer reflects, R and E, is taken off what is under it, the larger of the amounts for both directions:
-// so f is reciprocal, and no more leaves than arrives. A clear closed body is seen through its layers from outside alone.
+// energy. What stands there for (1 − c R) and (1 − s E), so that f is reciprocal: bsdf/principled_layers.h.
 //
 // Where glTF leaves a choice: F is Fresnel's, for which Schlick's approximation stands there; iridescence is
-// [Belcour and Barla 2017]; anisotropy stretches reflections, not what is seen through the surface.
+// [Belcour and Barla 2017]; anisotropy stretches what is seen through the surface as it does reflections.
 struct Principled {
   Spectrum base_color = white;
   float metallic = 0;  // glTF's own default is 1: its reader says so
@@ -41,53 +42,53 @@ struct Principled {
   static constexpr const char* kind = "principled";
   static constexpr const char* doc =
       "glTF's metallic-roughness with its physical extensions; closed where it transmits, unless thin_walled";
-  static constexpr auto parameters = std::tuple{
-      parameter<&Principled::base_color>("base_color", "colour of the metal, the body or what shines through",
-                                         zero_to_one),
-      parameter<&Principled::metallic>("metallic", "share of metal; the rest is dielectric", zero_to_one),
-      parameter<&Principled::roughness>("roughness", "square root of GGX's alpha; 0 is polished",
-                                        zero_to_one),
-      parameter<&Principled::ior>("ior", "index of refraction of the dielectric", Range{1, 10}),
-      parameter<&Principled::specular>("specular", "strength of the dielectric's reflection", zero_to_one),
-      parameter<&Principled::specular_color>("specular_color", "tint of it at normal incidence",
-                                             Range{0, 1e6f}),
-      parameter<&Principled::transmission>("transmission", "share of the dielectric's body that is clear",
+  static constexpr auto parameters = std::tuple_cat(
+      std::tuple{
+          parameter<&Principled::base_color>(
+              "base_color", "colour of the metal, the body or what shines through", zero_to_one),
+          parameter<&Principled::metallic>("metallic", "share of metal; the rest is dielectric", zero_to_one),
+          parameter<&Principled::roughness>("roughness", "square root of GGX's alpha; 0 is polished",
+                                            zero_to_one),
+          parameter<&Principled::ior>("ior", "index of refraction of the dielectric", Range{1, 10}),
+          parameter<&Principled::specular>("specular", "strength of the dielectric's reflection",
                                            zero_to_one),
-      parameter<&Principled::thin_walled>("thin_walled",
-                                          "what shines through goes straight on; else it is refracted"),
-      parameter<&Principled::attenuation_color>(
-          "attenuation_color", "what is left of white light inside after attenuation_distance", zero_to_one),
-      parameter<&Principled::attenuation_distance>("attenuation_distance",
-                                                   "world units; inf is a body that absorbs nothing",
-                                                   Range{0, infinity, true, false}),
-      parameter<&Principled::clearcoat>("clearcoat", "strength of a clear layer of index 1.5", zero_to_one),
-      parameter<&Principled::clearcoat_roughness>("clearcoat_roughness", "of that layer", zero_to_one),
-      parameter<&Principled::sheen_color>("sheen_color", "of fuzz on the surface", zero_to_one),
-      parameter<&Principled::sheen_roughness>("sheen_roughness", "of that fuzz: low is velvet at its edges",
+          parameter<&Principled::specular_color>("specular_color", "tint of it at normal incidence",
+                                                 Range{0, 1e6f}),
+          parameter<&Principled::transmission>("transmission", "share of the dielectric's body that is clear",
+                                               zero_to_one),
+          parameter<&Principled::thin_walled>("thin_walled",
+                                              "what shines through goes straight on; else it is refracted")},
+      detail::attenuation_parameters<Principled>(),
+      std::tuple{
+          parameter<&Principled::clearcoat>("clearcoat", "strength of a clear layer of index 1.5",
+                                            zero_to_one),
+          parameter<&Principled::clearcoat_roughness>("clearcoat_roughness", "of that layer", zero_to_one),
+          parameter<&Principled::sheen_color>("sheen_color", "of fuzz on the surface", zero_to_one),
+          parameter<&Principled::sheen_roughness>("sheen_roughness",
+                                                  "of that fuzz: low is velvet at its edges", zero_to_one)},
+      detail::anisotropy_parameters<Principled>("how far highlights stretch along u, as in glTF"),
+      std::tuple{
+          parameter<&Principled::iridescence>("iridescence", "share of the surface under a thin film",
                                               zero_to_one),
-      parameter<&Principled::anisotropy>("anisotropy", "how far highlights stretch along the direction of u",
-                                         zero_to_one),
-      parameter<&Principled::anisotropy_rotation>(
-          "anisotropy_rotation", "of that direction, degrees, counter-clockwise", Range{0, 360}),
-      parameter<&Principled::iridescence>("iridescence", "share of the surface under a thin film",
-                                          zero_to_one),
-      parameter<&Principled::iridescence_ior>("iridescence_ior", "index of that film", Range{1, 10}),
-      parameter<&Principled::iridescence_thickness>("iridescence_thickness", "of that film, nm",
-                                                    Range{0, 1e4f})};
+          parameter<&Principled::iridescence_ior>("iridescence_ior", "index of that film", Range{1, 10}),
+          parameter<&Principled::iridescence_thickness>("iridescence_thickness", "of that film, nm",
+                                                        Range{0, 1e4f})});
 
-  static constexpr bool transmits = true;
+  bool transmits() const { return transmission > 0 && metallic < 1; }
 
   bool only_delta() const;
   static constexpr bool has_choice() { return true; }
+  bool follows_tangent() const { return anisotropy != 0; }
 
   Spectrum f_cos(const Vec3& wo, const Vec3& wi) const;
+  void each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const;
   float pdf(const Vec3& wo, const Vec3& wi) const;
   std::optional<BsdfSample> sample(const Vec3& wo, float u1, const Vec2& u2) const;
   Spectrum albedo() const;
   BlinnPhongCoefficients local_model() const;
 
   // Whether it has an inside, which light enters by refraction, and the index there.
-  bool has_inside() const { return transmission > 0 && metallic < 1 && !thin_walled; }
+  bool has_inside() const { return transmits() && !thin_walled; }
   float interior_eta() const { return has_inside() ? ior : 1; }
   std::optional<Absorption> interior() const {
     if (!has_inside()) return std::nullopt;

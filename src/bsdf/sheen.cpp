@@ -13,12 +13,19 @@ Fuzz fuzz_of(const Sheen& lobe) { return Fuzz::of_roughness(lobe.sheen_roughness
 }  // namespace
 
 Spectrum Sheen::f_cos(const Vec3& wo, const Vec3& wi) const {
-  if (!same_side(wo, wi)) return black;
+  Spectrum f = black;
+  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
+  return f;
+}
+
+void Sheen::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
+  if (!same_side(wo, wi)) return;
   const Fuzz fuzz = fuzz_of(*this);
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
-  return sheen_color * fuzz.f_cos(o, i) + body_f_cos(reflectance, sheen_color * fuzz.albedo(o.z),
-                                                     sheen_color * fuzz.albedo(i.z),
-                                                     sheen_color * fuzz.average_albedo(), i.z);
+  visit(sheen_color * fuzz.f_cos(o, i), Spread::matte(fuzz.lean()));
+  visit(body_f_cos(reflectance, sheen_color * fuzz.albedo(o.z), sheen_color * fuzz.albedo(i.z),
+                   sheen_color * fuzz.average_albedo(), i.z),
+        Spread::matte(fuzz.lean_of_passed(luminance(sheen_color))));
 }
 
 float Sheen::pdf(const Vec3& wo, const Vec3& wi) const {

@@ -6,9 +6,6 @@
 namespace umbral {
 namespace {
 
-// The width of a surface without stretch that is about as rough.
-float round_alpha(const Ggx& ggx) { return std::sqrt(ggx.alpha_x * ggx.alpha_y); }
-
 // The cosine at which the plain interface reflects the share r, about: from Schlick's approximation.
 float cosine_of_share(float r, float f0) {
   return 1 - std::pow(glm::clamp((r - f0) / (1 - f0), 0.0f, 1.0f), 0.2f);
@@ -19,7 +16,7 @@ float cosine_of_share(float r, float f0) {
 // A film's colours at a rough surface are those at the angle at which a smooth one would reflect as much.
 Spectrum Skin::albedo(float cos_theta) const {
   if (is_smooth()) return interface.reflectance(cos_theta);
-  const float alpha = std::max(round_alpha(ggx), Ggx::smallest_alpha);
+  const float alpha = std::max(round_alpha(), Ggx::smallest_alpha);
   const float plain = interface_shares(cos_theta, alpha, interface.eta).reflected;
   if (interface.is_plain()) return grey(plain);
   const float whole = 1 - ggx_loss({alpha, alpha}, {0, 0, cos_theta});
@@ -29,12 +26,19 @@ Spectrum Skin::albedo(float cos_theta) const {
 
 // With a film by Gauss's rule with three points over cos² θ.
 Spectrum Skin::average_albedo() const {
-  const float alpha = std::max(round_alpha(ggx), Ggx::smallest_alpha);
+  const float alpha = std::max(round_alpha(), Ggx::smallest_alpha);
   if (interface.film.exists())
     return (5.0f * (albedo(0.33571068f) + albedo(0.94196515f)) + 8.0f * albedo(0.70710678f)) / 18.0f;
   const float plain = interface_averages(alpha, interface.eta).reflected;
   if (interface.is_plain()) return grey(plain);
   return interface.tinted(plain, 1 - ggx_average_loss({alpha, alpha}));
+}
+
+// The steepness of R falls from 2 as the skin gets rough, within a tenth.
+float Skin::lean_of_passed() const {
+  const float average = luminance(average_albedo());
+  const float steepness = 2 / (1 + 0.8f * std::sqrt(round_alpha()));
+  return (luminance(albedo(1)) - average) * steepness / std::max(1 - average, 1e-6f);
 }
 
 Spectrum Skin::f_cos(const Vec3& o, const Vec3& i) const {

@@ -13,11 +13,15 @@ struct Skin {
   Ggx ggx;
 
   bool is_smooth() const { return std::max(ggx.alpha_x, ggx.alpha_y) < Ggx::smallest_alpha; }
+  // The width of a surface without stretch that is about as rough.
+  float round_alpha() const { return std::sqrt(ggx.alpha_x * ggx.alpha_y); }
 
   // R: the share of light from an angle that is reflected in all (within 0.003; 0.01 where it is tinted, stretched
   // or has a film), and its mean over the hemisphere.
   Spectrum albedo(float cos_theta) const;
   Spectrum average_albedo() const;
+  // Of 1 − R, as in Spread: how what passes leans towards the horizon.
+  float lean_of_passed() const;
 
   // f |cos θi| and the density of sampling by visible normals; nothing for a smooth one.
   Spectrum f_cos(const Vec3& o, const Vec3& i) const;

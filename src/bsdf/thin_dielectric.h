@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "bsdf/bsdf.h"
+#include "bsdf/common_parameters.h"
 #include "bsdf/fresnel.h"
 #include "core/parameters.h"
 
@@ -19,11 +20,8 @@ struct ThinDielectric {
   static constexpr const char* kind = "thin_dielectric";
   static constexpr const char* doc =
       "a pane of clear glass; its surface may be open, and light passes straight";
-  static constexpr auto parameters = std::tuple{
-      parameter<&ThinDielectric::eta>("eta", "index of refraction of the pane over that of its surroundings",
-                                      Range{1, 10}),
-      parameter<&ThinDielectric::reflectance>("reflectance", "tint of what is reflected", zero_to_one),
-      parameter<&ThinDielectric::transmittance>("transmittance", "tint of what passes", zero_to_one)};
+  static constexpr auto parameters = detail::clear_parameters<ThinDielectric>(
+      "index of refraction of the pane over that of its surroundings");
 
   static constexpr bool only_delta() { return true; }
   static constexpr bool has_choice() { return true; }
@@ -45,7 +43,7 @@ struct ThinDielectric {
     return {black, black, reflectance * (2 * face / (1 + face)), 1000};
   }
 
-  static constexpr bool transmits = true;
+  static constexpr bool transmits() { return true; }
 };
 
 }  // namespace umbral

@@ -101,7 +101,10 @@ void SceneChecks::check_materials() {
 
 void SceneChecks::check_shape(const Shape& shape, const Place& place) {
   const Material& material = scene_.materials[index_of(shape.material)];
-  if (interior(material.lobe)) {
+  const auto has_inside = [](const Material& part) {
+    return part.parts.empty() && interior(part.lobe).has_value();
+  };
+  if (any_part(material, scene_.materials, has_inside)) {
     const auto* mesh = std::get_if<Mesh>(&shape.kind);
     const bool open = std::holds_alternative<Rectangle>(shape.kind) ||
                       std::holds_alternative<Disk>(shape.kind) ||
@@ -121,7 +124,9 @@ void SceneChecks::check_shape(const Shape& shape, const Place& place) {
 void SceneChecks::check_textures(const Shape& shape, const Place& place, const Material& material) {
   const auto* mesh = std::get_if<Mesh>(&shape.kind);
   if (!mesh) return;
-  unsigned needs = material.needs(scene_.textures);
+  unsigned needs = 0;
+  for_each_part(material, scene_.materials,
+                [&](const Material& part) { needs |= part.needs(scene_.textures); });
   if (!shape.emission.is_constant()) needs |= scene_.textures[index_of(shape.emission.map)].needs();
   const auto lacks = [&](const char* what, const char* instead) {
     warn(place, fmt::format("{} has no {}, which textures of '{}' ask for: {}", name_of(shape), what,

@@ -26,6 +26,7 @@ class WholeNumberSettings final : public ParameterVisitor {
   void operator()(const ParameterInfo&, std::vector<ColorStop>&) override {}
   void operator()(const ParameterInfo&, Textured<float>&) override {}
   void operator()(const ParameterInfo&, Textured<Spectrum>&) override {}
+  void operator()(const ParameterInfo&, MaterialId&) override {}
   void choice(const ParameterInfo&, int&, std::span<const char* const>) override {}
 
  private:

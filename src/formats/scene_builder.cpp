@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "formats/material_parts.h"
+
 namespace umbral {
 
 void SceneBuilder::add_camera(NamedCamera named) {
@@ -17,6 +19,7 @@ TextureId SceneBuilder::add(Texture texture) {
 }
 
 MaterialId SceneBuilder::add(Material material, Place place) {
+  if (const auto fault = fault_of_parts(material, materials)) diagnostics.error(place, *fault);
   materials.push_back(std::move(material));
   material_places.push_back(std::move(place));
   return static_cast<MaterialId>(materials.size() - 1);

@@ -61,6 +61,7 @@ class SceneBuilder {
   // Makes it the scene's own if that has none yet.
   void add_camera(NamedCamera named);
   TextureId add(Texture texture);
+  // What is wrong with its parts (formats/material_parts.h) is an error.
   MaterialId add(Material material, Place place);
 
   // What emitters reflect where they name no material: nothing.

@@ -60,7 +60,7 @@ Spectrum BlinnPhongIntegrator::radiance(const Scene& scene, const Ray& ray, Samp
   Spectrum la = black, ld = black, ls = black, le = black;
   if (const std::optional<Hit> hit = scene.intersect(ray)) {
     Point point{scene.surface(ray, *hit), {}, -ray.d, {}};
-    Lobes textured;
+    LobeStack textured;
     point.k = to_blinn_phong(scene.bsdf(point.surface, textured));
     point.wo_local = point.surface.shading.to_local(point.wo);
     if (emission) le = scene.emitted(point.surface, point.wo);

@@ -118,7 +118,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     }
     if (max_depth > 0 && bounces == max_depth) break;
 
-    Lobes textured;
+    LobeStack textured;
     const Lobes& lobe = scene.bsdf(surface, textured);
     const Vec3 wo = surface.shading.to_local(-ray.d);
     const LightReceiver receiver = receiver_at(surface, lobe, wo);

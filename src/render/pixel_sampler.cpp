@@ -25,7 +25,7 @@ void PixelSampler::add_auxiliary(const Ray& ray, AuxiliarySums& sums) const {
   const std::optional<Hit> hit = scene_.intersect(ray);
   if (!hit) return;
   const Surface surface = scene_.surface(ray, *hit);
-  Lobes textured;
+  LobeStack textured;
   sums.albedo += albedo(scene_.bsdf(surface, textured));
   sums.normal += surface.shading.n;
   sums.depth += hit->t * dot(ray.d, camera_.forward());

@@ -1,4 +1,4 @@
-// Evaluation of textured parameters.
+// Evaluation of textured parameters, and of materials that are made of others.
 #include "scene/material.h"
 
 namespace umbral {
@@ -13,10 +13,31 @@ unsigned Material::needs(const std::vector<Texture>& textures) const {
   return needs;
 }
 
-Lobes Material::textured_at(const TexturePoint& point, const std::vector<Texture>& textures) const {
+Lobes Material::at(const TexturePoint& point, const std::vector<Texture>& textures) const {
   Lobes result = lobe;
   for (const TexturedParameter& map : maps) map.set(result, textures[index_of(map.texture)], point);
   return result;
+}
+
+void join_parts(std::vector<Material>& materials) {
+  for (Material& material : materials) {
+    material.varies = !material.maps.empty();
+    for (const MaterialPart& part : material.parts) {
+      const Material& made = materials[index_of(part.material)];
+      part.set(material.lobe, made.lobe);
+      material.varies |= made.varies;
+    }
+  }
+}
+
+const Lobes& varying_lobe(const Material& material, const std::vector<Material>& materials,
+                          const TexturePoint& point, const std::vector<Texture>& textures, LobeStack& stack) {
+  Lobes& lobe = stack.push(material.at(point, textures));
+  for (const MaterialPart& part : material.parts) {
+    const Material& made = materials[index_of(part.material)];
+    if (made.varies) part.set(lobe, varying_lobe(made, materials, point, textures, stack));
+  }
+  return lobe;
 }
 
 }  // namespace umbral

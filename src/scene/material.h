@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bsdf/lobes.h"
+#include "scene/lobe_stack.h"
 #include "scene/textures/textures.h"
 
 namespace umbral {
@@ -14,6 +15,12 @@ namespace umbral {
 struct TexturedParameter {
   void (*set)(Lobes& lobe, const Texture& texture, const TexturePoint& point);
   TextureId texture;
+};
+
+// Puts the lobe of another material, which stands before this one in the scene's list, into one that is made of it.
+struct MaterialPart {
+  void (*set)(Lobes& lobe, const Lobes& part);
+  MaterialId material;
 };
 
 // What an opacity between 0 and 1 means: the chance to be met, or a mask.
@@ -51,6 +58,9 @@ struct Material {
   Textured<float> bump_map{0};  // height
   float bump_scale = 1;         // world units
 
+  std::vector<MaterialPart> parts = {};  // what the lobe is made of; of those only their lobes count
+  bool varies = false;                   // by a texture of the lobe or of a part; told by join_parts()
+
   // Whether no ray passes, from outside.
   bool is_opaque() const { return alpha.is_constant() && opacity_of(alpha.value) >= 1; }
   // Whether every ray that comes to the surface meets it.
@@ -62,27 +72,50 @@ struct Material {
 
   bool has_normal_map() const { return !normal_map.is_constant() || normal_map.value != level_normal; }
   bool has_bump_map() const { return !bump_map.is_constant(); }
-  // What the textures of all parameters ask for, of texture_needs.
+  // What the textures of its parameters ask for, of texture_needs; without those of its parts.
   unsigned needs(const std::vector<Texture>& textures) const;
 
-  // The lobe at a point, by the textures of the scene.
-  Lobes at(const TexturePoint& point, const std::vector<Texture>& textures) const {
-    if (maps.empty()) return lobe;
-    return textured_at(point, textures);
-  }
+  // The lobe at a point, by the textures of the scene, made of what `lobe` is made of.
+  Lobes at(const TexturePoint& point, const std::vector<Texture>& textures) const;
 
  private:
   float opacity_of(float value) const {
     return alpha_mode == AlphaMode::mask ? (value >= alpha_cutoff ? 1.0f : 0.0f)
                                          : glm::clamp(value, 0.0f, 1.0f);
   }
-  Lobes textured_at(const TexturePoint& point, const std::vector<Texture>& textures) const;
 };
+
+// Calls visit(material) for `material`, the materials it is made of, and what those are made of.
+template <class Visit>
+void for_each_part(const Material& material, const std::vector<Material>& materials, Visit&& visit) {
+  visit(material);
+  for (const MaterialPart& part : material.parts)
+    for_each_part(materials[index_of(part.material)], materials, visit);
+}
+
+template <class Test>
+bool any_part(const Material& material, const std::vector<Material>& materials, Test&& test) {
+  bool any = false;
+  for_each_part(material, materials, [&](const Material& part) { any = any || test(part); });
+  return any;
+}
+
+// Makes every lobe point to those that it is made of, in the same list, and tells which materials vary.
+void join_parts(std::vector<Material>& materials);
+
+// The lobe of a joined material that varies at a point, in `stack` with those that it is made of.
+const Lobes& varying_lobe(const Material& material, const std::vector<Material>& materials,
+                          const TexturePoint& point, const std::vector<Texture>& textures, LobeStack& stack);
 
 namespace detail {
 
 template <class Lobe, class T>
 Lobe lobe_of(T Lobe::*);
+
+template <auto Member>
+void set_part(Lobes& lobe, const Lobes& part) {
+  std::get<decltype(lobe_of(Member))>(lobe).*Member = &part;
+}
 
 template <auto Member>
 void set_from_texture(Lobes& lobe, const Texture& texture, const TexturePoint& point) {
@@ -114,7 +147,8 @@ void for_each_common_parameter(Material& material, Visitor&& visitor) {
 }
 
 // Calls visitor(info, Textured<float or Spectrum>&) for each parameter of the material's lobe, with a plain reference for
-// one that is a choice among names or a switch, and keeps what the visitor wrote; then for_each_common_parameter().
+// one that is a choice among names or a switch, and with a MaterialId& for what it is made of; keeps what the visitor
+// wrote. Then for_each_common_parameter().
 template <class Visitor>
 void for_each_material_parameter(Material& material, Visitor&& visitor) {
   const auto visit_one = [&](auto& lobe, const auto& parameter) {
@@ -122,6 +156,10 @@ void for_each_material_parameter(Material& material, Visitor&& visitor) {
     using T = std::remove_reference_t<decltype(lobe.*member)>;
     if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
       visitor(parameter.info, lobe.*member);
+    } else if constexpr (std::is_same_v<T, const Lobes*>) {
+      MaterialId part = MaterialId::none;
+      visitor(parameter.info, part);
+      if (part != MaterialId::none) material.parts.push_back({detail::set_part<member>, part});
     } else {
       Textured<T> textured{lobe.*member};
       visitor(parameter.info, textured);

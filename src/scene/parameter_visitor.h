@@ -26,6 +26,7 @@ class ParameterVisitor {
   virtual void operator()(const ParameterInfo&, ColorStops&) = 0;
   virtual void operator()(const ParameterInfo&, Textured<float>&) = 0;
   virtual void operator()(const ParameterInfo&, Textured<Spectrum>&) = 0;
+  virtual void operator()(const ParameterInfo&, MaterialId&) = 0;
   virtual void choice(const ParameterInfo&, int& index, std::span<const char* const> names) = 0;
 
   template <class E>

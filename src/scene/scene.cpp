@@ -39,8 +39,11 @@ void Scene::mark_details() {
     black_ = static_cast<MaterialId>(materials_.size());
     materials_.push_back({"black", Lambert{black}, {}, {1}});
   }
+  join_parts(materials_);
   for (Group& group : geometry_.groups)
-    for (Piece& piece : group.pieces) piece.needs = materials_[index_of(piece.material)].needs(textures_);
+    for (Piece& piece : group.pieces)
+      for_each_part(materials_[index_of(piece.material)], materials_,
+                    [&](const Material& part) { piece.needs |= part.needs(textures_); });
   for (const Emitter& emitter : geometry_.emitters)
     if (!emitter.emission.is_constant())
       geometry_.groups[emitter.group].pieces[emitter.piece].needs |=
@@ -49,7 +52,7 @@ void Scene::mark_details() {
     for (Piece& piece : group.pieces) has_footprints_ |= (piece.needs & texture_needs::footprint) != 0;
   for (Group& group : geometry_.groups)
     for (Piece& piece : group.pieces)
-      piece.detail = detail_of(piece, geometry_, materials_[index_of(piece.material)]);
+      piece.detail = detail_of(piece, geometry_, materials_[index_of(piece.material)], materials_);
 }
 
 void Scene::add_detail(const Ray& ray, const Hit& hit, Surface& surface) const {

@@ -32,10 +32,11 @@ class Scene {
     return surface;
   }
   // The lobe at `surface`: the material's own, or, where textures replace parameters, a copy of it in `storage`.
-  const Lobes& bsdf(const Surface& surface, Lobes& storage) const {
+  const Lobes& bsdf(const Surface& surface, LobeStack& storage) const {
     const Material& material = materials_[index_of(surface.material)];
-    if (material.maps.empty()) return material.lobe;
-    return storage = material.at(surface.at, textures_);
+    if (!material.varies) return material.lobe;
+    storage.clear();
+    return varying_lobe(material, materials_, surface.at, textures_, storage);
   }
 
   // Radiance that leaves `surface` towards `wo` by emission; wo: unit, world, away from the surface.

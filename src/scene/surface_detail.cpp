@@ -9,19 +9,24 @@
 namespace umbral {
 namespace {
 
+// Whether its lobe is stretched, or may be by a texture.
 bool follows_tangent(const Material& material) {
-  return std::visit(
-      [&](const auto& lobe) {
-        if constexpr (requires { lobe.follows_tangent(); })
-          return lobe.follows_tangent() || !material.maps.empty();
-        else
-          return false;
-      },
-      material.lobe);
+  return visit_lobe(material.lobe, [&]<class Lobe>(const Lobe& lobe) {
+    if constexpr (requires { lobe.follows_tangent(); }) {
+      const auto stretches = [](const TexturedParameter& map) {
+        return map.set == detail::set_from_texture<&Lobe::anisotropy>;
+      };
+      return lobe.follows_tangent() || std::any_of(material.maps.begin(), material.maps.end(), stretches);
+    } else {
+      return false;
+    }
+  });
 }
 
+// A mix is what its parts are.
 bool is_only_diffuse(const Lobes& lobe) {
-  return std::holds_alternative<Lambert>(lobe) || std::holds_alternative<DiffuseTransmission>(lobe);
+  return std::holds_alternative<Lambert>(lobe) || std::holds_alternative<DiffuseTransmission>(lobe) ||
+         std::holds_alternative<Mix>(lobe);
 }
 
 Spectrum value_at(const Textured<Spectrum>& textured, const TexturePoint& point,
@@ -103,14 +108,16 @@ std::uint32_t random_of(const Ray& ray, const TexturePoint& at) {
 
 }  // namespace
 
-unsigned detail_of(const Piece& piece, const Geometry& geometry, const Material& material) {
+unsigned detail_of(const Piece& piece, const Geometry& geometry, const Material& material,
+                   const std::vector<Material>& materials) {
   using namespace surface_detail;
   const bool smooth = piece.mesh != no_index && geometry.meshes[piece.mesh].smooth;
   unsigned detail = 0;
   if (piece.needs != 0) detail |= attributes;
-  if (follows_tangent(material)) detail |= tangent;
+  if (any_part(material, materials, follows_tangent)) detail |= tangent;
   if (material.has_normal_map() || material.has_bump_map()) detail |= mapped_normal;
-  if (smooth && !is_only_diffuse(material.lobe)) detail |= smooth_mirror;
+  const auto mirrors = [](const Material& part) { return !is_only_diffuse(part.lobe); };
+  if (smooth && any_part(material, materials, mirrors)) detail |= smooth_mirror;
   if (material.back == BackSide::absorbing) detail |= black_back;
   return detail;
 }

@@ -15,8 +15,9 @@ inline constexpr unsigned smooth_mirror = 8;  // interpolated normals under a lo
 inline constexpr unsigned black_back = 16;
 }  // namespace surface_detail
 
-// That of the piece under its material.
-unsigned detail_of(const Piece& piece, const Geometry& geometry, const Material& material);
+// That of the piece under its material, which is one of `materials`.
+unsigned detail_of(const Piece& piece, const Geometry& geometry, const Material& material,
+                   const std::vector<Material>& materials);
 
 // Adds what detail_of() asks for to a surface that `ray` met by `hit`; all but black_back, which is another material.
 void add_detail(const Geometry& geometry, const Material& material, const std::vector<Texture>& textures,

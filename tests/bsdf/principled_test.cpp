@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "albedo_by_draws.h"
 #include "bsdf/conductor.h"
 #include "bsdf/dielectric.h"
 #include "bsdf/fresnel.h"
@@ -15,20 +16,6 @@ namespace umbral {
 namespace {
 
 using namespace test;
-
-// The mean weight of draws, the change of radiance between media undone.
-double albedo_by_draws(const Principled& lobe, const Vec3& wo, int draws = 20'000) {
-  Random random(11);
-  double sum = 0;
-  for (int i = 0; i < draws; ++i) {
-    const float u1 = (static_cast<float>(i) + random.number()) / static_cast<float>(draws);
-    const auto sample = lobe.sample(wo, std::min(u1, one_minus_epsilon), random.square());
-    if (!sample) continue;
-    const float eta = lobe.interior_eta();
-    sum += sample->weight.g * (same_side(wo, sample->wi) ? 1 : sqr(wo.z > 0 ? eta : 1 / eta));
-  }
-  return sum / draws;
-}
 
 Principled white_of(float metallic, float transmission, bool thin, float roughness) {
   Principled lobe;
@@ -50,24 +37,40 @@ TEST(Principled, LosesNothingWhereItsBaseIsWhite) {
                                                        {0.5f, 0.5f, false}})
       for (const double c : {1.0, 0.6, 0.2}) {
         const Principled lobe = white_of(metallic, transmission, thin, roughness);
-        EXPECT_NEAR(albedo_by_draws(lobe, direction_at(c, 1)), 1, 0.013)
+        EXPECT_NEAR(albedo_by_draws(lobe, direction_at(c, 1)).mean, 1, 0.013)
             << fmt::format("metallic {}, transmission {}, thin {}, roughness {}, cos {}", metallic,
                            transmission, thin, roughness, c);
       }
 }
 
-// A clear coat takes from what is under it the larger of what it reflects to and fro: up to 5 % more than it gives.
-TEST(Principled, LosesLittleUnderACoat) {
+// Parts of a mixture share what the layers let pass as if each had all of it: up to 1.7 % is lost at grazing angles.
+TEST(Principled, LosesLittleUnderItsLayers) {
   for (const float metallic : {0.0f, 1.0f})
-    for (const float coat_roughness : {0.0f, 0.5f})
-      for (const double c : {1.0, 0.6, 0.2}) {
-        Principled lobe = white_of(metallic, 0, false, 0.2f);
-        lobe.clearcoat = 1;
-        lobe.clearcoat_roughness = coat_roughness;
-        const double albedo = albedo_by_draws(lobe, direction_at(c, 1));
-        EXPECT_GT(albedo, 0.93) << coat_roughness << " " << c;
-        EXPECT_LT(albedo, 1.01) << coat_roughness << " " << c;
-      }
+    for (const float roughness : {0.1f, 0.2f, 0.5f})
+      for (const auto& [clearcoat, coat_roughness, sheen] :
+           {std::tuple{1.0f, 0.0f, 0.0f}, {1.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 1.0f}, {0.5f, 0.2f, 1.0f}})
+        for (const double c : {1.0, 0.6, 0.2, 0.1, 0.05}) {
+          Principled lobe = white_of(metallic, 0, false, roughness);
+          lobe.clearcoat = clearcoat;
+          lobe.clearcoat_roughness = coat_roughness;
+          lobe.sheen_color = grey(sheen);
+          lobe.sheen_roughness = 0.4f;
+          const double albedo = albedo_by_draws(lobe, direction_at(c, 1), 10'000).mean;
+          const std::string where = fmt::format("metallic {}, roughness {}, coat {} {}, sheen {}, cos {}",
+                                                metallic, roughness, clearcoat, coat_roughness, sheen, c);
+          EXPECT_GT(albedo, metallic == 1 ? 0.99 : 0.98) << where;
+          EXPECT_LT(albedo, 1.01) << where;
+        }
+}
+
+// Seen from outside, glass under a coat keeps all; light that leaves it loses what the coat reflects.
+TEST(Principled, LosesWhatACoatReflectsOfLightFromInside) {
+  Principled glass = white_of(0, 1, false, 0);
+  glass.clearcoat = 1;
+  const auto albedo = [&](double c) { return albedo_by_draws(glass, direction_at(c, 1)).mean; };
+  EXPECT_GT(albedo(0.8), 0.99);
+  EXPECT_GT(albedo(0.3), 0.98);
+  EXPECT_NEAR(albedo(-1), 0.04 + 0.96 * 0.96, 0.005);
 }
 
 TEST(Principled, IsAConductorWhereItIsMetal) {
@@ -126,23 +129,6 @@ TEST(Principled, LetsLightGoStraightThroughThinWalls) {
   EXPECT_EQ(sample->wi, -wo);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(sample->weight[c], pane.base_color[c], 1e-6);
   EXPECT_EQ(pane.interior_eta(), 1);
-}
-
-// At the pole, half-vectors along the stretch lie in a wider highlight than those across it; a quarter turn swaps them.
-TEST(Principled, StretchesItsHighlightAlongTheTurnedTangent) {
-  Principled lobe;
-  lobe.metallic = 1;
-  lobe.roughness = 0.3f;
-  lobe.anisotropy = 0.8f;
-  const Vec3 wo{0, 0, 1}, along = direction_at(0.8, 0), across = direction_at(0.8, pi_d / 2);
-  EXPECT_GT(lobe.f_cos(wo, along).g, 10 * lobe.f_cos(wo, across).g);
-  Principled quarter = lobe;
-  quarter.anisotropy_rotation = 90;
-  EXPECT_NEAR(quarter.f_cos(wo, across).g, lobe.f_cos(wo, along).g, 1e-5 * lobe.f_cos(wo, along).g);
-  lobe.anisotropy_rotation = 30;
-  const double turned = 30 * pi_d / 180;
-  EXPECT_GT(lobe.f_cos(wo, direction_at(0.8, turned)).g, lobe.f_cos(wo, direction_at(0.8, -turned)).g)
-      << "counter-clockwise";
 }
 
 TEST(Principled, ShowsAFilmInPartOfItsSurface) {

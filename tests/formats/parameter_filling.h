@@ -62,6 +62,7 @@ class ParameterFiller final : public ParameterVisitor {
   void operator()(const ParameterInfo& info, Textured<Spectrum>& value) override {
     (*this)(info, value.value);
   }
+  void operator()(const ParameterInfo& info, MaterialId&) override { add(info, "\"part\""); }
   void choice(const ParameterInfo& info, int& index, std::span<const char* const> names) override {
     // A metal by its name leaves nothing to the other parameters.
     index = std::string_view(info.name) == "metal" ? 0 : static_cast<int>(names.size()) - 1;
@@ -111,6 +112,7 @@ class ParameterDump final : public ParameterVisitor {
   }
   void operator()(const ParameterInfo& info, Textured<float>& v) override { (*this)(info, v.value); }
   void operator()(const ParameterInfo& info, Textured<Spectrum>& v) override { (*this)(info, v.value); }
+  void operator()(const ParameterInfo& info, MaterialId&) override { add(info, "a material"); }
   void choice(const ParameterInfo& info, int& index, std::span<const char* const> names) override {
     add(info, names[static_cast<std::size_t>(index)]);
   }

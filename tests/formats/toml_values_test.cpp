@@ -98,9 +98,21 @@ std::string material_dump(Material material) {
   return visitor.text();
 }
 
+// With the material 'part', if the parameters name it.
 std::string scene_with_material(const std::string& kind, const std::string& parameters) {
+  const bool has_part = parameters.find("\"part\"") != std::string::npos;
   return "[[shapes]]\ntype = \"sphere\"\nmaterial = \"m\"\n[materials.m]\ntype = \"" + kind + "\"\n" +
-         parameters;
+         parameters + (has_part ? "[materials.part]\ntype = \"matte\"\n" : "");
+}
+
+// The parameters that a material made of others must have.
+std::string required_parts(Material material) {
+  std::string lines;
+  for_each_material_parameter(material, [&](const ParameterInfo& info, auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, MaterialId>)
+      lines += fmt::format("{} = \"part\"\n", info.name);
+  });
+  return lines;
 }
 
 TEST(TomlValues, MaterialsOfEveryKind) {
@@ -110,10 +122,13 @@ TEST(TomlValues, MaterialsOfEveryKind) {
     test::ParameterFiller filler("");
     for_each_material_parameter(material, filler);
     const SceneFile file = folder.read_toml(scene_with_material(kind, filler.toml()));
-    ASSERT_EQ(file.scene.materials.size(), 1u) << kind;
-    EXPECT_EQ(file.scene.materials[0].name, "m");
-    EXPECT_EQ(material_dump(file.scene.materials[0]), material_dump(material)) << kind;
-    EXPECT_TRUE(file.scene.materials[0].maps.empty());
+    const bool has_part = !required_parts(material).empty();
+    ASSERT_EQ(file.scene.materials.size(), has_part ? 2u : 1u) << kind;
+    const Material& read = file.scene.materials.back();
+    EXPECT_EQ(read.name, "m");
+    EXPECT_EQ(material_dump(read), material_dump(material)) << kind;
+    EXPECT_TRUE(read.maps.empty());
+    EXPECT_EQ(!read.parts.empty(), has_part);
   }
 }
 
@@ -145,10 +160,11 @@ TEST(TomlValues, EveryMaterialParameterTakesATexture) {
       const std::string in_place = fmt::format("{{ type = \"checker\", even = {0}, odd = {0} }}", value);
       const SceneFolder folder;
       for (const bool by_name : {true, false}) {
-        const std::string use = fmt::format("{} = {}\n", info.name, by_name ? "\"t\"" : in_place);
+        const std::string use =
+            fmt::format("{}{} = {}\n", required_parts(prototype), info.name, by_name ? "\"t\"" : in_place);
         const SceneFile file =
             folder.read_toml((by_name ? "[textures.t]\n" + texture : "") + scene_with_material(kind, use));
-        const Material& material = file.scene.materials.at(0);
+        const Material& material = file.scene.materials.back();
         if (const auto map = common_map(material, info.name)) {
           ASSERT_NE(*map, TextureId::none) << kind << " " << info.name;
           EXPECT_FLOAT_EQ(file.scene.textures[index_of(*map)].number({0.1f, 0.1f}), value);

@@ -76,6 +76,38 @@ TEST(Material, TexturesAnyParameterOfAnyLobe) {
   });
 }
 
+// A coat over a mix: what any of them has from a texture is seen at the point, and what none has is the material's own.
+TEST(Material, MadeOfOthersFollowsTheirTextures) {
+  SceneDescription scene;
+  const TextureId map = add_texture(scene, halves(grey(0.25f), grey(0.75f)));
+  add_material(scene, Lambert{}, {{"reflectance", map}});
+  add_material(scene, Conductor{});
+  const auto join = [&](Lobes lobe, const std::vector<MaterialPart>& parts) {
+    add_material(scene, lobe);
+    scene.materials.back().parts = parts;
+    return static_cast<MaterialId>(scene.materials.size() - 1);
+  };
+  using detail::set_part;
+  const MaterialId mix =
+      join(Mix{}, {{set_part<&Mix::a>, MaterialId{0}}, {set_part<&Mix::b>, MaterialId{1}}});
+  const MaterialId coat = join(Coat{}, {{set_part<&Coat::base>, mix}});
+  const MaterialId plain = join(Coat{}, {{set_part<&Coat::base>, MaterialId{1}}});
+  join_parts(scene.materials);
+  const auto material = [&](MaterialId id) -> const Material& { return scene.materials[index_of(id)]; };
+  EXPECT_TRUE(material(mix).varies && material(coat).varies);
+  EXPECT_FALSE(material(plain).varies);
+  EXPECT_EQ(std::get<Coat>(material(plain).lobe).base, &scene.materials[1].lobe);
+  LobeStack stack;
+  for (const auto& [uv, reflectance] : {std::pair{left, 0.25f}, {right, 0.75f}}) {
+    stack.clear();
+    const Lobes& lobe =
+        varying_lobe(material(coat), scene.materials, TexturePoint{uv}, scene.textures, stack);
+    const Mix& mixed = std::get<Mix>(*std::get<Coat>(lobe).base);
+    EXPECT_EQ(std::get<Lambert>(*mixed.a).reflectance, grey(reflectance));
+    EXPECT_EQ(mixed.b, &scene.materials[1].lobe) << "what does not vary is not copied";
+  }
+}
+
 TEST(Material, TakesNoAlphaFromAColoursTexture) {
   SceneDescription scene;
   ImageTexture image;

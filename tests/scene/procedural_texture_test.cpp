@@ -99,7 +99,7 @@ TEST(ObjectSpace, MovesWithInstances) {
       const Ray ray{Vec3(place.point(target + Vec3d(0, 0, 2))), Vec3(place.vector({0, 0, -1}))};
       const auto surface = seen(scene, ray);
       ASSERT_TRUE(surface);
-      Lobes storage;
+      LobeStack storage;
       const Spectrum color = albedo(scene.bsdf(*surface, storage));
       if (&place == &places[0])
         seen_first = color;

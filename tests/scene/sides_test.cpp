@@ -78,7 +78,7 @@ TEST_P(Sides, BlackOnesReflectNothingAndStillStand) {
   description.materials[0].back = BackSide::absorbing;
   const Scene scene(std::move(description));
   const Ray down{{0.1f, 0.2f, 1}, {0, 0, -1}}, up{{0.1f, 0.2f, -1}, {0, 0, 1}};
-  Lobes room;
+  LobeStack room;
   EXPECT_EQ(albedo(scene.bsdf(*seen(scene, down), room)), grey(0.5f));
   EXPECT_EQ(albedo(scene.bsdf(*seen(scene, up), room)), black);
   EXPECT_TRUE(scene.occluded(up));

@@ -170,7 +170,7 @@ TEST(MeshAttributes, AreInterpolatedAtHits) {
     EXPECT_LT(glm::length(surface->at.uv - Vec2(0.25f, 0.5f)), 1e-5f);
     EXPECT_LT(glm::length(surface->at.uv1 - Vec2(5.5f, 7)), 1e-4f);
     EXPECT_LT(glm::length(surface->at.color - Spectrum(0.25f, 0.25f, 0.5f, 0.375f)), 1e-5f);
-    Lobes room;
+    LobeStack room;
     const Spectrum reflectance = albedo(scene.bsdf(*surface, room));
     const float square = std::fmod(std::floor(2 * 5.5f) + std::floor(7.0f), 2.0f) == 0 ? 0.1f : 0.2f;
     EXPECT_NEAR(reflectance.b, 0.5f * square, 1e-5f);

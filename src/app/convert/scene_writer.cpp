@@ -58,7 +58,7 @@ class SceneWriter {
   void add_integrators(const LoadedScene& loaded);
   void find_used();
   void use(TextureId texture);
-  void use(const Material& material);
+  void use(MaterialId material);
   void add_texture(std::size_t number);
   void add_material(std::size_t number);
   void add_shape(const Shape& shape, const std::string& header);
@@ -86,7 +86,10 @@ void SceneWriter::use(TextureId id) {
       scene_.textures[index_of(id)].kind);
 }
 
-void SceneWriter::use(const Material& material) {
+void SceneWriter::use(MaterialId id) {
+  if (!used_materials_.insert(index_of(id)).second) return;
+  const Material& material = scene_.materials[index_of(id)];
+  for (const MaterialPart& part : material.parts) use(part.material);
   for (const TexturedParameter& map : material.maps) use(map.texture);
   for (const TextureId map : {material.alpha.map, material.normal_map.map, material.bump_map.map}) use(map);
 }
@@ -95,8 +98,7 @@ void SceneWriter::find_used() {
   const auto use_shapes = [&](const std::vector<Shape>& shapes) {
     for (const Shape& shape : shapes) {
       use(shape.emission.map);
-      if (used_materials_.insert(index_of(shape.material)).second)
-        use(scene_.materials[index_of(shape.material)]);
+      use(shape.material);
     }
   };
   use_shapes(scene_.shapes);
@@ -132,6 +134,9 @@ void SceneWriter::add_material(std::size_t number) {
       for (const TexturedParameter& map : material.maps)
         if (map.set == detail::set_from_texture<member>) textured.map = map.texture;
       given(parameter.info, textured);
+    } else if constexpr (std::is_same_v<T, const Lobes*>) {
+      for (const MaterialPart& part : material.parts)
+        if (part.set == detail::set_part<member>) given(parameter.info, materials_[index_of(part.material)]);
     } else {
       given(parameter.info, value);
     }

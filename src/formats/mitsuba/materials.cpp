@@ -5,6 +5,7 @@
 
 #include "bsdf/fresnel.h"
 #include "formats/material_parameters.h"
+#include "formats/material_parts.h"
 #include "formats/mitsuba/colors.h"
 
 namespace umbral::mitsuba_file {
@@ -47,6 +48,16 @@ MaterialId Materials::convert(const Element& bsdf) {
 }
 
 Materials::Draft Materials::draft(const Element& bsdf) {
+  if (!being_drafted_.insert(&bsdf).second) {
+    builder_.diagnostics.error(bsdf.place, fmt::format("BSDF '{}' has itself in it", bsdf.id));
+    return {with_lobe(Lambert{})};
+  }
+  Draft result = converted_draft(bsdf);
+  being_drafted_.erase(&bsdf);
+  return result;
+}
+
+Materials::Draft Materials::converted_draft(const Element& bsdf) {
   const Properties properties(builder_, document_, bsdf);
   const std::string& type = bsdf.type;
   Draft result;
@@ -55,6 +66,8 @@ Materials::Draft Materials::draft(const Element& bsdf) {
   } else if (type == "twosided") {
     result = nested(properties);
     result.material.back = BackSide::same;
+  } else if (type == "blendbsdf") {
+    result = blend(properties);
   } else if (type == "mask") {
     result = mask(properties);
   } else if (type == "principled") {
@@ -91,6 +104,24 @@ Materials::Draft Materials::nested(const Properties& properties) {
   else
     builder_.lacks(properties.place(), "a surface whose two sides differ");
   return bsdfs.empty() ? Draft{with_lobe(Lambert{grey(0.5f)})} : draft(*bsdfs[0]);
+}
+
+// Where one of the two is 'null', the other is there in part.
+Materials::Draft Materials::blend(const Properties& properties) {
+  const std::vector<const Element*> bsdfs = properties.objects("bsdf");
+  const Textured<float> weight = textures_.number(properties, "weight", 0.5f);
+  if (bsdfs.size() != 2) {
+    builder_.diagnostics.error(properties.place(), "'blendbsdf' wants two BSDFs in it");
+    return {with_lobe(Lambert{})};
+  }
+  Draft a = draft(*bsdfs[0]), b = draft(*bsdfs[1]);
+  a.material.name = bsdfs[0]->id;
+  b.material.name = bsdfs[1]->id;
+  if (a.is_null && b.is_null) return a;
+  if (a.is_null || b.is_null)
+    return {
+        partly_there(builder_, std::move(a.is_null ? b : a).material, weight, b.is_null, properties.place())};
+  return {mix_of(builder_, std::move(a.material), std::move(b.material), weight, properties.place())};
 }
 
 Materials::Draft Materials::diffuse(const Properties& properties) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "formats/facet_widths.h"
 #include "formats/mitsuba/textures.h"
@@ -25,7 +26,9 @@ class Materials {
   };
 
   Draft draft(const Element& bsdf);
+  Draft converted_draft(const Element& bsdf);
   Draft nested(const Properties& properties);
+  Draft blend(const Properties& properties);
   Draft diffuse(const Properties& properties);
   Draft plastic(const Properties& properties, bool rough);
   Draft conductor(const Properties& properties, bool rough);
@@ -46,6 +49,7 @@ class Materials {
   Textures& textures_;
   std::map<const Element*, MaterialId> converted_;
   std::optional<MaterialId> standard_;
+  std::set<const Element*> being_drafted_;
 };
 
 }  // namespace umbral::mitsuba_file

@@ -5,6 +5,7 @@
 
 #include "core/names.h"
 #include "formats/material_parameters.h"
+#include "formats/material_parts.h"
 #include "formats/pbrt/colors.h"
 
 namespace umbral::pbrt_file {
@@ -73,14 +74,58 @@ MaterialId Materials::convert(const MaterialHandle& material, const Textured<flo
   const auto [at, is_new] = material->converted.emplace(
       std::tuple{alpha.value, alpha.map, inside ? inside->name : std::string()}, MaterialId::none);
   if (!is_new) return at->second;
-  Material converted = convert(*material);
-  if (inside) fill(converted, *inside, place);
-  converted.name = material->name;
-  converted.alpha = alpha;
+  Material converted = convert(*material, inside, place);
+  const bool whole = alpha.is_constant() && alpha.value == 1;
+  const bool mixed_whole = converted.alpha.is_constant() && converted.alpha.value == 1;
+  if (!whole && !mixed_whole)
+    builder_.lacks(place, "an opacity of a shape whose material is a mix with what light does not see");
+  if (!whole) converted.alpha = alpha;
   return at->second = builder_.add(std::move(converted), material->parameters.place());
 }
 
-Material Materials::convert(const MaterialDefinition& definition) {
+Material Materials::convert(const MaterialDefinition& definition, const Medium* inside, const Place& place) {
+  Material material;
+  if (definition.kind == "mix") {
+    material = mix(definition, inside, place);
+  } else {
+    material = convert_alone(definition);
+    if (inside) fill(material, *inside, place);
+  }
+  material.name = definition.name;
+  return material;
+}
+
+// Where one of the two is not seen by light, the other is there in part.
+Material Materials::mix(const MaterialDefinition& definition, const Medium* inside, const Place& place) {
+  const Parameters& parameters = definition.parameters;
+  parameters.ignore({"type"});
+  const Parameter* names = parameters.find("materials", {"string"}, 2);
+  const Textured<float> amount = textures_.number(parameters, "amount", 0.5f);
+  parameters.report_unknown("material 'mix'");
+  const bool is_ring = std::find(chain_.begin(), chain_.end(), &definition) != chain_.end();
+  if (!names || is_ring) {
+    builder_.diagnostics.error(parameters.place(),
+                               is_ring ? fmt::format("material '{}' is a mix of itself", definition.name)
+                                       : "a mix wants \"string materials\" [ two names ]");
+    return with_lobe(Lambert{});
+  }
+  chain_.push_back(&definition);
+  const MaterialHandle a = find(names->place, names->strings[0]), b = find(names->place, names->strings[1]);
+  Material result;
+  if (is_interface(*a) && is_interface(*b)) {
+    builder_.lacks(parameters.place(), "a mix of two surfaces that light does not see");
+  } else if (is_interface(*a) || is_interface(*b)) {
+    Material seen = convert(is_interface(*a) ? *b : *a, inside, place);
+    result = partly_there(builder_, std::move(seen), amount, is_interface(*b), parameters.place());
+  } else {
+    Material first = convert(*a, inside, place);
+    result = mix_of(builder_, std::move(first), convert(*b, inside, place), amount, parameters.place());
+  }
+  chain_.pop_back();
+  return result;
+}
+
+Material Materials::convert_alone(const MaterialDefinition& definition) {
   const Parameters& parameters = definition.parameters;
   parameters.ignore({"type"});
   Material material = with_lobe(Lambert{});

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "bsdf/conductor.h"
 #include "formats/facet_widths.h"
@@ -49,7 +50,10 @@ class Materials {
   }
 
  private:
-  Material convert(const MaterialDefinition& definition);
+  // With `inside`, as above, in what can hold it.
+  Material convert(const MaterialDefinition& definition, const Medium* inside, const Place& place);
+  Material convert_alone(const MaterialDefinition& definition);
+  Material mix(const MaterialDefinition& definition, const Medium* inside, const Place& place);
   void fill(Material& material, const Medium& medium, const Place& place);
   void add_detail(const Parameters& parameters, Material& material);
   Material diffuse(const Parameters& parameters);
@@ -65,6 +69,7 @@ class Materials {
   SceneBuilder& builder_;
   Textures& textures_;
   std::map<std::string, MaterialHandle> named_;
+  std::vector<const MaterialDefinition*> chain_;  // of mixes that are being converted
   MaterialHandle standard_ = std::make_shared<MaterialDefinition>(MaterialDefinition{"", "diffuse", {}});
 };
 

@@ -100,12 +100,13 @@ void Shapes::shine(Shape& shape, const Parameters& parameters, const AreaLight& 
 
 // Meshes and disks can be turned; a sphere's inside cannot become its outside, which matters to light and glass alone.
 void Shapes::reverse(Shape& shape, const Parameters& parameters, const AreaLight& light) {
+  const auto is_glass = [](const Material& part) { return std::holds_alternative<Dielectric>(part.lobe); };
   if (auto* mesh = std::get_if<Mesh>(&shape.kind)) {
     turn_inside_out(*mesh);
   } else if (std::holds_alternative<Disk>(shape.kind)) {
     shape.to_world = shape.to_world * translation(Vec3d(std::get<Disk>(shape.kind).center)) *
                      scaling({1, 1, -1}) * translation(-Vec3d(std::get<Disk>(shape.kind).center));
-  } else if (std::holds_alternative<Dielectric>(builder_.materials[index_of(shape.material)].lobe) ||
+  } else if (any_part(builder_.materials[index_of(shape.material)], builder_.materials, is_glass) ||
              !light.is_dark()) {
     builder_.lacks(parameters.place(), "a round shape whose inside is its outside");
   }

@@ -231,6 +231,13 @@ void ParameterReader::operator()(const ParameterInfo& info, Textured<Spectrum>& 
     read_color(info, *found, value.value);
 }
 
+void ParameterReader::operator()(const ParameterInfo& info, MaterialId& value) {
+  const Value* found = find(info);
+  if (!found) return;
+  if (!materials_) return table_.wrong_type(info.name, *found, "a constant");
+  if (const auto id = materials_->find(*found)) value = *id;
+}
+
 void ParameterReader::choice(const ParameterInfo& info, int& index, std::span<const char* const> names) {
   const Value* found = find(info);
   if (!found) return;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "formats/toml/name_table.h"
 #include "formats/toml/table_reader.h"
 #include "scene/parameter_visitor.h"
 
@@ -12,8 +13,9 @@ class TextureLibrary;
 
 class ParameterReader final : public ParameterVisitor {
  public:
-  // Textures are looked up in `textures`; without one, a texture in a parameter's place is an error.
-  ParameterReader(TableReader& table, TextureLibrary* textures) : table_(table), textures_(textures) {}
+  // Textures are looked up in `textures` and materials in `materials`; without them, what names one is an error.
+  ParameterReader(TableReader& table, TextureLibrary* textures, NameTable<MaterialId>* materials = nullptr)
+      : table_(table), textures_(textures), materials_(materials) {}
 
   // A value that is wrong is told and leaves what it would have replaced.
   void operator()(const ParameterInfo& info, bool& value) override;
@@ -27,6 +29,7 @@ class ParameterReader final : public ParameterVisitor {
   void operator()(const ParameterInfo& info, ColorStops& value) override;
   void operator()(const ParameterInfo& info, Textured<float>& value) override;
   void operator()(const ParameterInfo& info, Textured<Spectrum>& value) override;
+  void operator()(const ParameterInfo& info, MaterialId& value) override;
   void choice(const ParameterInfo& info, int& index, std::span<const char* const> names) override;
   using ParameterVisitor::operator();
 
@@ -48,6 +51,7 @@ class ParameterReader final : public ParameterVisitor {
 
   TableReader& table_;
   TextureLibrary* textures_;
+  NameTable<MaterialId>* materials_;
 };
 
 // "between 0 and 1", "above 0", "at least 0", "finite", …

@@ -114,7 +114,7 @@ std::optional<MaterialId> SceneReader::read_material(const Entry& entry, const V
   if (!kind) return std::nullopt;
   table.rename(*kind);
   Material material{entry.key, *make_kind<Lobes>(*kind), {}, {1}};
-  ParameterReader parameters(table, &textures_);
+  ParameterReader parameters(table, &textures_, &materials_);
   textures_.set_asker(fmt::format("material '{}'", entry.key));
   for_each_material_parameter(material, parameters);
   textures_.set_asker("");
@@ -132,9 +132,6 @@ void SceneReader::check_detail(TableReader& table, const Material& material) con
   if (conductor && conductor->metal != Metal::none)
     for (const char* key : {"reflectance", "edge_tint", "eta", "k"})
       blame(key, "'metal' tells the index of a conductor: no other colour has an effect beside it");
-  const auto* coat = std::get_if<Coat>(&material.lobe);
-  if (coat && coat->metal != Metal::none)
-    blame("reflectance", "'metal' tells the index of the metal: its 'reflectance' has no effect");
   if (material.alpha_mode != AlphaMode::mask)
     blame("alpha_cutoff", "'alpha_cutoff' has no effect unless alpha_mode is \"mask\"");
   if (!table.has("normal_map")) blame("normal_scale", "'normal_scale' has no effect without 'normal_map'");
