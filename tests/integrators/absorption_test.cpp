@@ -54,10 +54,16 @@ TEST(Absorption, OfASlabWithoutInterfaceIsBeersLaw) {
     const Scene scene(slab(lobe));
     for (const double c : {1.0, 0.6, 0.3}) {
       const Vec3 d(static_cast<float>(std::sqrt(1 - c * c)), 0, static_cast<float>(c));
-      const Spectrum seen = mean_radiance(scene, {{0, 0, -1}, d}, 1);
+      const Ray ray{{0, 0, -1}, d};
+      const Spectrum seen = mean_radiance(scene, ray, 1);
+      // From the face that was met to where the ray leaves that started beside it, by its offset along the normal.
+      const std::optional<Hit> hit = scene.intersect(ray);
+      ASSERT_TRUE(hit);
+      const double offset = static_cast<double>(scene.surface(ray, *hit).origin_towards(d).z);
+      ASSERT_TRUE(offset > 0 && offset < 1e-4);
+      const double way = (thickness - offset) / c + offset * c;
       for (int channel = 0; channel < 3; ++channel)
-        // The way is short by the offset that rays start with, 1e-5.
-        EXPECT_NEAR(seen[channel], left_after(channel, thickness / c), 1e-5) << "cos " << c;
+        EXPECT_NEAR(seen[channel], left_after(channel, way), 1e-6) << "cos " << c;
     }
   }
 }
