@@ -4,7 +4,9 @@
 #include "core/kinds.h"
 #include "integrators/path.h"
 #include "scene/worlds.h"
+#include "support/matte_parts.h"
 #include "support/random.h"
+#include "support/stability.h"
 
 namespace umbral {
 namespace {
@@ -57,7 +59,9 @@ Seen radiance(const Scene& scene, const Vec3& from, const Vec3& target, int samp
 // Of every lobe, seen under every angle to 89.5°: no more comes back than the 1 that is all around, and never nothing
 // from a lobe that reflects; at 600 samples, a loss of all light but 5 % would be seen 5 standard errors away.
 TEST(NormalMappedFurnace, IsNeverBlackAndNeverAboveOne) {
-  for_each_kind<Lobes>([](const auto& lobe) {
+  double worst = 0;  // above what is all around, beyond the noise
+  for_each_kind<Lobes>([&](const auto& kind) {
+    const auto lobe = with_matte_parts(kind);
     SceneDescription description = world_of(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), {}, false);
     description.materials[0].lobe = lobe;
     description.materials[0].normal_map.map = rough_normals(description);
@@ -78,8 +82,12 @@ TEST(NormalMappedFurnace, IsNeverBlackAndNeverAboveOne) {
       EXPECT_LT(seen.mean, most + 5 * seen.error + 1e-4) << lobe.kind << " at " << glm::degrees(theta);
       EXPECT_GT(seen.mean + 5 * seen.error, 0.05 * albedo) << lobe.kind << " at " << glm::degrees(theta);
       EXPECT_GT(seen.mean, 0) << lobe.kind << " at " << glm::degrees(theta);
+      worst = std::max(worst, (seen.mean - most) / std::max(seen.error, 1e-6));
     }
   });
+  record({"Lobes", "normals that lean 70° make light or black pixels, of any kind of lobe",
+          "mean ≤ 1 + 5 σ, > 0", fmt::format("at most 1 + {:.1f} σ, none black", std::max(0.0, worst)),
+          "issues on black dots under normal maps, in every tracker"});
 }
 
 // A coarse ball with smooth normals that mirrors all: seen at its rim, too, it is as bright as all around.
@@ -103,6 +111,8 @@ TEST(SmoothNormals, MirrorWithoutBlackSeams) {
     }
     EXPECT_GT(met, 5000);
   }
+  record({"Lobes", "a coarse ball with smooth normals that mirrors all has black seams",
+          "1 ± 1e-5 everywhere", "held"});
 }
 
 // Smooth normals near the edge of a closed box lean over it; no light comes through its walls by them.
@@ -110,6 +120,7 @@ TEST(SmoothNormals, LeakNoLight) {
   Mesh mesh = icosphere(0, true);
   for (Vec3& n : mesh.normals) n = -n;  // seen from inside
   for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+  int paths = 0;
   for (const Lobes& lobe : {Lobes(Lambert{grey(0.8f)}), Lobes(BlinnPhong{}), Lobes(Conductor{})}) {
     SceneDescription description = world_of(mesh, {}, false);
     description.materials[0].lobe = lobe;
@@ -122,8 +133,11 @@ TEST(SmoothNormals, LeakNoLight) {
       const Ray ray{Vec3(random.in_cube(0.2)), Vec3(random.direction())};
       Sampler sampler(SamplerKind::independent, {6, 0, 0, 0, static_cast<std::uint64_t>(i)});
       EXPECT_EQ(path.radiance(scene, ray, sampler, {}), black);
+      ++paths;
     }
   }
+  record({"Lobes", "light leaks through walls whose smooth normals disagree with their geometry", "0",
+          fmt::format("0 of {} paths", paths)});
 }
 
 }  // namespace
