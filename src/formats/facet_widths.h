@@ -4,14 +4,17 @@
 #include <algorithm>
 
 #include "bsdf/conductor.h"
+#include "scene/ids.h"
 
 namespace umbral {
 
 struct FacetWidths {
-  float alpha_u = 0, alpha_v = 0;  // 0 … 1
+  float alpha_u = 0, alpha_v = 0;   // 0 … 1
+  TextureId map = TextureId::none;  // of roughness, the square root of alpha, in the place of both
 
+  bool is_textured() const { return map != TextureId::none; }
   // The square root of their geometric mean, for lobes that have one alone.
-  float roughness() const { return std::sqrt(std::sqrt(alpha_u * alpha_v)); }
+  Textured<float> roughness() const { return {std::sqrt(std::sqrt(alpha_u * alpha_v)), map}; }
 
   // alpha (1 ± anisotropy) along the direction of the wider ones and across it.
   void put_into(Conductor& lobe) const {

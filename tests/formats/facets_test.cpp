@@ -56,6 +56,39 @@ TEST(Facets, OfMetalsMayDifferInUAndV) {
             "--lenient leaves it out\n    2 | Material \"dielectric\" \"float uroughness\" .1\n      | ^");
 }
 
+TEST(Facets, MayBeOfImages) {
+  const SceneFolder folder;
+  folder.write("r.ppm", "P3 2 1 255\n26 26 26  255 255 255\n");
+  folder.write(
+      "scene.pbrt",
+      "WorldBegin\nTexture \"r\" \"float\" \"imagemap\" \"string filename\" \"r.ppm\" \"string encoding\" "
+      "\"linear\"\nMaterial \"conductor\" \"texture roughness\" \"r\" Shape \"sphere\"\nMaterial "
+      "\"coateddiffuse\" \"texture roughness\" \"r\" \"bool remaproughness\" false Shape \"sphere\"\n");
+  const SceneFile file = folder.read("scene.pbrt");
+  const auto at = [&](std::size_t shape, float u) {
+    return file.scene.materials.at(index_of(file.scene.shapes.at(shape).material))
+        .at(Vec2(u, 0.5f), file.scene.textures);
+  };
+  const double dark = 26 / 255.0;
+  EXPECT_NEAR(std::get<Conductor>(at(0, 0.25f)).roughness, std::pow(dark, 0.25), 1e-5);
+  EXPECT_NEAR(std::get<Conductor>(at(0, 0.75f)).roughness, 1, 1e-5);
+  EXPECT_NEAR(std::get<Plastic>(at(1, 0.25f)).roughness, std::sqrt(dark), 1e-5);
+  folder.write("scene.xml",
+               xml("roughdielectric'><string name='distribution' value='ggx'/><texture name='alpha' "
+                   "type='checkerboard'><rgb name='color0' value='.04'/><rgb name='color1' value='.25'/>"
+                   "</texture>"));
+  const SceneFile other = folder.read("scene.xml");
+  const Material& glass = other.scene.materials.at(index_of(other.scene.shapes.at(0).material));
+  EXPECT_NEAR(std::get<Dielectric>(glass.at(Vec2(0.1f, 0.1f), other.scene.textures)).roughness, 0.2, 1e-5);
+  EXPECT_NEAR(std::get<Dielectric>(glass.at(Vec2(0.6f, 0.1f), other.scene.textures)).roughness, 0.5, 1e-5);
+  folder.write(
+      "scene.pbrt",
+      "WorldBegin\nTexture \"a\" \"float\" \"mix\"\nMaterial \"conductor\" \"texture roughness\" \"a\" "
+      "Shape \"sphere\"\n");
+  EXPECT_TRUE(
+      contains(folder.errors("scene.pbrt"), "not supported: a texture for roughness that is no image"));
+}
+
 TEST(Beckmann, IsShownByGgxAndSaysSo) {
   const SceneFolder folder;
   const SceneFile file = mitsuba(folder, "roughconductor'><float name='alpha' value='.04'/>");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "bsdf/fresnel.h"
+#include "formats/mapped_texture.h"
 #include "formats/material_parameters.h"
 #include "formats/material_parts.h"
 #include "formats/mitsuba/colors.h"
@@ -154,17 +155,23 @@ FacetWidths Materials::facets(const Properties& properties) {
                           fmt::format("facets of the '{}' distribution by GGX's of the same alpha, whose "
                                       "highlights have a sharper middle and longer tails",
                                       distribution));
-  const auto alpha = [&](const char* name, float otherwise) {
-    const Textured<float> value = textures_.number(properties, name, otherwise);
-    if (!value.is_constant()) properties.lacks(name, "a texture for roughness");
-    return glm::clamp(value.value, 0.0f, 1.0f);
+  const auto alpha = [&](const char* name, const Textured<float>& otherwise) {
+    Textured<float> value = properties.has(name) ? textures_.number(properties, name, 0) : otherwise;
+    value.value = glm::clamp(value.value, 0.0f, 1.0f);
+    return value;
   };
-  const float both = alpha("alpha", 0.1f);
+  const Textured<float> both = alpha("alpha", {0.1f}), u = alpha("alpha_u", both), v = alpha("alpha_v", both);
   properties.ignore({"sample_visible"});
-  return {alpha("alpha_u", both), alpha("alpha_v", both)};
+  if (u.is_constant() && v.is_constant()) return {u.value, v.value};
+  const auto root = [](float x) { return std::sqrt(glm::clamp(x, 0.0f, 1.0f)); };
+  const auto map = u.map == v.map ? mapped_texture(builder_, u.map, root) : std::nullopt;
+  if (!map)
+    builder_.lacks(properties.place(),
+                   "a texture for roughness that is no image or checkerboard, or differs in u and v");
+  return {0.1f, 0.1f, map.value_or(TextureId::none)};
 }
 
-float Materials::roughness(const Properties& properties) {
+Textured<float> Materials::roughness(const Properties& properties) {
   const FacetWidths widths = facets(properties);
   if (widths.alpha_u != widths.alpha_v)
     builder_.lacks(properties.place(), "roughness that differs in u and v, but of a metal");
@@ -176,7 +183,8 @@ float Materials::roughness(const Properties& properties) {
 Materials::Draft Materials::plastic(const Properties& properties, bool rough) {
   Plastic lobe;
   lobe.eta = relative_index(builder_, properties, "polypropylene");
-  lobe.roughness = rough ? roughness(properties) : 0;
+  const Textured<float> roughness = rough ? this->roughness(properties) : Textured<float>{0};
+  lobe.roughness = roughness.value;
   untinted(properties, {"specular_reflectance"});
   Textured<Spectrum> body = textures_.surface(properties, "diffuse_reflectance", grey(0.5f));
   if (!properties.flag("nonlinear", false)) {
@@ -186,6 +194,7 @@ Materials::Draft Materials::plastic(const Properties& properties, bool rough) {
     body.value = body.value / (Spectrum(1.0f) - k * (Spectrum(1.0f) - body.value)) * white;
   }
   Draft result{one_sided(lobe)};
+  set_parameters<float>(result.material, {{"roughness", roughness}});
   set_parameters<Spectrum>(result.material, {{"reflectance", body}});
   return result;
 }
@@ -194,7 +203,8 @@ Materials::Draft Materials::conductor(const Properties& properties, bool rough) 
   const Spectrum tint = this->tint(properties, "specular_reflectance");
   Conductor lobe;
   lobe.roughness = 0;
-  if (rough) facets(properties).put_into(lobe);
+  const FacetWidths widths = rough ? facets(properties) : FacetWidths{};
+  widths.put_into(lobe);
   const std::string name = properties.text("material", properties.has("eta") ? "" : "none");
   const auto& metals = EnumNames<Metal>::names;
   const auto metal = std::find(metals.begin() + 1, metals.end(), name);
@@ -213,15 +223,19 @@ Materials::Draft Materials::conductor(const Properties& properties, bool rough) 
     put_tint(tint, lobe);
     builder_.approximates(properties.place(), "a tinted metal by its colour at 0° and in the mean");
   }
-  return {one_sided(lobe)};
+  Draft result{one_sided(lobe)};
+  if (widths.is_textured()) set_parameters<float>(result.material, {{"roughness", widths.roughness()}});
+  return result;
 }
 
 Materials::Draft Materials::dielectric(const Properties& properties, bool rough) {
   Dielectric lobe;
   lobe.eta = relative_index(builder_, properties, "bk7");
-  lobe.roughness = rough ? roughness(properties) : 0;
+  lobe.roughness = 0;
   untinted(properties, {"specular_reflectance", "specular_transmittance"});
-  return {with_lobe(lobe)};
+  Draft result{with_lobe(lobe)};
+  if (rough) set_parameters<float>(result.material, {{"roughness", roughness(properties)}});
+  return result;
 }
 
 Materials::Draft Materials::thin_dielectric(const Properties& properties) {

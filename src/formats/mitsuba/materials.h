@@ -39,7 +39,7 @@ class Materials {
   Draft normal_map(const Properties& properties);
   Draft bump_map(const Properties& properties);
   FacetWidths facets(const Properties& properties);
-  float roughness(const Properties& properties);
+  Textured<float> roughness(const Properties& properties);
   // The colour of that name; white where there is none, or a texture, which is told.
   Spectrum tint(const Properties& properties, const char* name);
   void untinted(const Properties& properties, std::initializer_list<const char*> names);

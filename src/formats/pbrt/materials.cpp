@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/names.h"
+#include "formats/mapped_texture.h"
 #include "formats/material_parameters.h"
 #include "formats/material_parts.h"
 #include "formats/pbrt/colors.h"
@@ -12,6 +13,9 @@ namespace umbral::pbrt_file {
 namespace {
 
 Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
+
+float root(float x) { return std::sqrt(glm::clamp(x, 0.0f, 1.0f)); }
+float root_of_root(float x) { return std::sqrt(root(x)); }
 
 // "metal-Au-eta" and "metal-Au-k" of one metal.
 std::optional<Metal> named_metal(const Parameters& parameters, const std::string& prefix) {
@@ -167,8 +171,8 @@ Material Materials::diffuse(const Parameters& parameters) {
 Material Materials::coated_diffuse(const Parameters& parameters) {
   Plastic lobe;
   lobe.eta = static_cast<float>(index_of_refraction(builder_, parameters, "eta", 1.5));
-  lobe.roughness = roughness(parameters);
   Material material = with_lobe(lobe);
+  set_parameters<float>(material, {{"roughness", roughness(parameters)}});
   set_parameters<Spectrum>(material,
                            {{"reflectance", textures_.spectrum(parameters, "reflectance", grey(0.5f))}});
   if (!is_black(albedo(builder_, parameters, "albedo", black)))
@@ -204,15 +208,19 @@ Conductor Materials::metal(const Parameters& parameters, const std::string& pref
 
 Material Materials::conductor(const Parameters& parameters) {
   Conductor lobe = metal(parameters, "");
-  facets(parameters).put_into(lobe);
-  return with_lobe(lobe);
+  const FacetWidths widths = facets(parameters);
+  widths.put_into(lobe);
+  Material material = with_lobe(lobe);
+  if (widths.is_textured()) set_parameters<float>(material, {{"roughness", widths.roughness()}});
+  return material;
 }
 
 Material Materials::dielectric(const Parameters& parameters) {
   Dielectric lobe;
   lobe.eta = static_cast<float>(index_of_refraction(builder_, parameters, "eta", 1.5));
-  lobe.roughness = roughness(parameters);
-  return with_lobe(lobe);
+  Material material = with_lobe(lobe);
+  set_parameters<float>(material, {{"roughness", roughness(parameters)}});
+  return material;
 }
 
 Material Materials::diffuse_transmission(const Parameters& parameters) {
@@ -233,20 +241,27 @@ Material Materials::diffuse_transmission(const Parameters& parameters) {
 // GGX's alpha is the file's number or, where that is remapped, the square root of it.
 FacetWidths Materials::facets(const Parameters& parameters, const std::string& prefix) {
   const bool remap = parameters.flag("remaproughness", true);
-  const Textured<float> both = textures_.number(parameters, prefix + "roughness", 0);
-  const Textured<float> u = textures_.number(parameters, prefix + "uroughness", both.value),
-                        v = textures_.number(parameters, prefix + "vroughness", both.value);
-  if (!both.is_constant() || !u.is_constant() || !v.is_constant()) {
-    builder_.lacks(parameters.place(), "a texture for roughness");
-    return {0.1f, 0.1f};
-  }
-  const auto alpha = [&](float given) {
-    return std::min(1.0f, remap ? std::sqrt(std::max(0.0f, given)) : std::max(0.0f, given));
+  const auto given = [&](const char* name, const Textured<float>& otherwise) {
+    return parameters.has(prefix + name) ? textures_.number(parameters, prefix + name, 0) : otherwise;
   };
-  return {alpha(u.value), alpha(v.value)};
+  const Textured<float> both = given("roughness", {0}), u = given("uroughness", both),
+                        v = given("vroughness", both);
+  if (u.is_constant() && v.is_constant()) {
+    const auto alpha = [&](float x) { return std::min(1.0f, remap ? root(x) : std::max(0.0f, x)); };
+    return {alpha(u.value), alpha(v.value)};
+  }
+  FacetWidths widths{0.1f, 0.1f};
+  const auto map =
+      u.map == v.map ? mapped_texture(builder_, u.map, remap ? root_of_root : root) : std::nullopt;
+  if (map)
+    widths.map = *map;
+  else
+    builder_.lacks(parameters.place(),
+                   "a texture for roughness that is no image or checkerboard, or differs in u and v");
+  return widths;
 }
 
-float Materials::roughness(const Parameters& parameters, const std::string& prefix) {
+Textured<float> Materials::roughness(const Parameters& parameters, const std::string& prefix) {
   const FacetWidths widths = facets(parameters, prefix);
   if (widths.alpha_u != widths.alpha_v)
     builder_.lacks(parameters.place(), "roughness that differs in u and v, but of a bare metal");

@@ -64,7 +64,7 @@ class Materials {
   Material dielectric(const Parameters& parameters);
   Material diffuse_transmission(const Parameters& parameters);
   FacetWidths facets(const Parameters& parameters, const std::string& prefix = "");
-  float roughness(const Parameters& parameters, const std::string& prefix = "");
+  Textured<float> roughness(const Parameters& parameters, const std::string& prefix = "");
 
   SceneBuilder& builder_;
   Textures& textures_;
