@@ -9,6 +9,8 @@ namespace {
 // Of coordinates, world units: squares of distances stay below the 3.4e38 of single numbers, and all is well below the
 // 1.8e18 at which Embree ends.
 constexpr double farthest = 1e17;
+// Of a whole scene: squares of distances a thousandth of that are still numbers.
+constexpr double smallest = 1e-15;
 
 // Of radiance, intensity and irradiance: 1e8 times as much, divided by squares of distances, is still a number.
 constexpr float brightest = 1e30f;
@@ -98,6 +100,11 @@ void NumberChecks::check_instances() {
 void NumberChecks::finish() {
   reach_ = std::max<double>(reach_, max_component(glm::abs(scene_.camera.position)));
   if (const auto fault = fault_of(scene_.camera)) blame(place_, *fault);
+  if (reach_ > 0 && reach_ < smallest)
+    blame(place_,
+          fmt::format(
+              "all of the scene is within {:.2g} of the origin, below the {:g} that rays can be traced in",
+              reach_, smallest));
   check_lights();
   check_instances();
   if (fault_.count > 0) scene_.diagnostics.error(fault_.place, fault_.text());

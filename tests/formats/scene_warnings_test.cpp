@@ -154,6 +154,12 @@ TEST(SceneErrors, NumbersBeyondWhatRaysCanBeTracedWith) {
       "scene.toml:7:1: error: sphere 'ball' reaches out to 2e+18, beyond the 1e+17 that rays can be traced "
       "to\n    7 | [[shapes]]\n      | ^");
   EXPECT_EQ(errors(far_ball("2e16")), "no error");
+  const auto tiny = [&](const std::string& size) {
+    return errors("[camera]\nposition = [0, 0, 5" + size + "]\n" +
+                  shape("type = \"sphere\"\nradius = 1" + size));
+  };
+  EXPECT_TRUE(contains(tiny("e-20"), "all of the scene is within 5e-20 of the origin"));
+  EXPECT_EQ(tiny("e-15"), "no error");
   const auto view = [&](const std::string& settings) { return errors(camera + settings + ball); };
   EXPECT_TRUE(contains(errors("[camera]\nposition = [2e18, 0, 5]\n" + ball), "the camera is at 2e+18"));
   EXPECT_TRUE(contains(view("lens_radius = 1e20\n"), "the camera's lens, fov or shift"));
