@@ -7,8 +7,8 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
-#include "app/compare_inputs.h"
-#include "app/compare_report.h"
+#include "app/compare/compare_inputs.h"
+#include "app/compare/compare_report.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/progress_bar.h"

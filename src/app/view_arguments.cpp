@@ -7,7 +7,7 @@
 
 #include "app/arguments.h"
 #include "core/names.h"
-#include "formats/number_checks.h"
+#include "formats/assembly/number_checks.h"
 
 namespace umbral {
 namespace {

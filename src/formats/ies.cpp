@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "formats/text_cursor.h"
+#include "formats/input/text_cursor.h"
 
 namespace umbral {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "formats/assembly/place_shape.h"
 #include "formats/gltf/scene.h"
-#include "formats/mesh_file.h"
+#include "formats/meshes/mesh_file.h"
 #include "formats/obj/obj_scene.h"
-#include "formats/place_shape.h"
 
 namespace umbral {
 namespace {

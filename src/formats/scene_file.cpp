@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/checks.h"
-#include "formats/framing.h"
-#include "formats/mesh_file.h"
+#include "formats/assembly/checks.h"
+#include "formats/assembly/framing.h"
+#include "formats/meshes/mesh_file.h"
 #include "formats/mitsuba/reader.h"
 #include "formats/model_file.h"
 #include "formats/pbrt/reader.h"

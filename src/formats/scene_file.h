@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "formats/named_camera.h"
+#include "formats/assembly/named_camera.h"
 #include "formats/read_options.h"
 #include "scene/description.h"
 #include "scene/parameter_visitor.h"

@@ -60,7 +60,7 @@ const std::vector<Library>& libraries() {
       {"CLI11", std::regex("CLI/.*"), {"app"}},
       {"nlohmann/json", std::regex("nlohmann/.*"), {"app", "formats"}},
       {"pugixml", std::regex("pugixml\\.hpp"), {"formats/mitsuba/document"}},
-      {"zlib", std::regex("zlib\\.h"), {"formats/gzip", "formats/mitsuba/serialized_mesh"}},
+      {"zlib", std::regex("zlib\\.h"), {"formats/input/gzip", "formats/mitsuba/serialized_mesh"}},
       {"the version", std::regex("umbral_version\\.h"), {}},
   };
   return table;

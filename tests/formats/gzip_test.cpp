@@ -1,5 +1,5 @@
 // Files compressed by gzip.
-#include "formats/gzip.h"
+#include "formats/input/gzip.h"
 #include "scene_folder.h"
 
 namespace umbral {

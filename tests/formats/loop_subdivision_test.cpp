@@ -1,5 +1,5 @@
 // Loop's scheme: what it leaves as it is, what it converges to, and what it refuses.
-#include "formats/loop_subdivision.h"
+#include "formats/meshes/loop_subdivision.h"
 
 #include <stdexcept>
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/mesh_cleanup.h"
-#include "formats/mesh_topology.h"
-#include "formats/triangulate.h"
+#include "formats/meshes/mesh_cleanup.h"
+#include "formats/meshes/mesh_topology.h"
+#include "formats/meshes/triangulate.h"
 
 namespace umbral {
 namespace {

@@ -1,5 +1,5 @@
 // What is legal but doubtful is told, and nothing else.
-#include "formats/framing.h"
+#include "formats/assembly/framing.h"
 #include "scene_folder.h"
 
 namespace umbral {

@@ -1,5 +1,5 @@
 // Colours of spectra against published chromaticities.
-#include "formats/spectral_colors.h"
+#include "formats/translation/spectral_colors.h"
 
 #include <gtest/gtest.h>
 

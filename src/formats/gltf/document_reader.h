@@ -6,7 +6,7 @@
 
 #include "formats/gltf/document.h"
 #include "formats/gltf/report.h"
-#include "formats/input_files.h"
+#include "formats/input/input_files.h"
 
 namespace umbral::gltf {
 

@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 
+#include "formats/assembly/material_overrides.h"
+#include "formats/assembly/scene_builder.h"
 #include "formats/gltf/document.h"
 #include "formats/gltf/report.h"
 #include "formats/gltf/texture_table.h"
-#include "formats/material_overrides.h"
-#include "formats/scene_builder.h"
 
 namespace umbral::gltf {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "formats/diagnostics.h"
+#include "formats/input/diagnostics.h"
 
 namespace umbral::gltf {
 

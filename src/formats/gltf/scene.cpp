@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "formats/assembly/place_shape.h"
 #include "formats/gltf/accessors.h"
 #include "formats/gltf/document_reader.h"
 #include "formats/gltf/looks.h"
 #include "formats/gltf/placements.h"
 #include "formats/gltf/primitives.h"
 #include "formats/gltf/viewing.h"
-#include "formats/place_shape.h"
 
 namespace umbral {
 namespace gltf {

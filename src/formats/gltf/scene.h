@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "formats/material_overrides.h"
-#include "formats/scene_builder.h"
+#include "formats/assembly/material_overrides.h"
+#include "formats/assembly/scene_builder.h"
 
 namespace umbral {
 

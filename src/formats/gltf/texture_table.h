@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "formats/assembly/scene_builder.h"
 #include "formats/gltf/document.h"
 #include "formats/gltf/report.h"
-#include "formats/scene_builder.h"
 
 namespace umbral::gltf {
 

@@ -1,9 +1,9 @@
 // Lights and cameras of a glTF file.
 #pragma once
 
+#include "formats/assembly/scene_builder.h"
 #include "formats/gltf/document.h"
 #include "formats/gltf/report.h"
-#include "formats/scene_builder.h"
 
 namespace umbral::gltf {
 

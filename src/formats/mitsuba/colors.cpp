@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/names.h"
-#include "formats/spectral_colors.h"
+#include "formats/translation/spectral_colors.h"
 
 namespace umbral::mitsuba_file {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/scene_builder.h"
+#include "formats/assembly/scene_builder.h"
 
 namespace umbral::mitsuba_file {
 

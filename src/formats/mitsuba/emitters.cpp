@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/light_frame.h"
 #include "formats/mitsuba/colors.h"
+#include "formats/translation/light_frame.h"
 
 namespace umbral::mitsuba_file {
 namespace {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "bsdf/fresnel.h"
-#include "formats/mapped_texture.h"
-#include "formats/material_parameters.h"
-#include "formats/material_parts.h"
+#include "formats/assembly/material_parts.h"
 #include "formats/mitsuba/colors.h"
+#include "formats/translation/mapped_texture.h"
+#include "formats/translation/material_parameters.h"
 
 namespace umbral::mitsuba_file {
 namespace {

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "formats/facet_widths.h"
 #include "formats/mitsuba/textures.h"
+#include "formats/translation/facet_widths.h"
 
 namespace umbral::mitsuba_file {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "formats/scene_builder.h"
+#include "formats/assembly/scene_builder.h"
 #include "formats/scene_file.h"
 
 namespace umbral::mitsuba_file {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "formats/mesh_facing.h"
+#include "formats/assembly/place_shape.h"
+#include "formats/meshes/mesh_facing.h"
 #include "formats/mitsuba/serialized_mesh.h"
-#include "formats/place_shape.h"
 
 namespace umbral::mitsuba_file {
 namespace {

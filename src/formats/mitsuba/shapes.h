@@ -1,7 +1,7 @@
 // The shapes of a Mitsuba file.
 #pragma once
 
-#include "formats/mesh_file.h"
+#include "formats/meshes/mesh_file.h"
 #include "formats/mitsuba/materials.h"
 
 namespace umbral::mitsuba_file {

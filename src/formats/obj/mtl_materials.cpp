@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "formats/material_parameters.h"
 #include "formats/obj/mtl_kinds.h"
 #include "formats/obj/mtl_textures.h"
+#include "formats/translation/material_parameters.h"
 
 namespace umbral {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "formats/assembly/scene_builder.h"
 #include "formats/obj/mtl_reader.h"
-#include "formats/scene_builder.h"
 
 namespace umbral {
 

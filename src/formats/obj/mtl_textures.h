@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "formats/assembly/scene_builder.h"
 #include "formats/obj/mtl_reader.h"
-#include "formats/scene_builder.h"
 
 namespace umbral {
 

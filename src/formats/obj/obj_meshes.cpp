@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/triangulate.h"
+#include "formats/meshes/triangulate.h"
 
 namespace umbral {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/math.h"
-#include "formats/text_cursor.h"
+#include "formats/input/text_cursor.h"
 
 namespace umbral {
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "core/names.h"
+#include "formats/assembly/place_shape.h"
 #include "formats/obj/mtl_materials.h"
 #include "formats/obj/obj_meshes.h"
-#include "formats/place_shape.h"
 
 namespace umbral {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/spectral_colors.h"
+#include "formats/translation/spectral_colors.h"
 
 namespace umbral::pbrt_file {
 namespace {

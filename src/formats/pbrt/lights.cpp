@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/light_frame.h"
 #include "formats/pbrt/colors.h"
+#include "formats/translation/light_frame.h"
 
 namespace umbral::pbrt_file {
 namespace {

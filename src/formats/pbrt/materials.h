@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bsdf/conductor.h"
-#include "formats/facet_widths.h"
 #include "formats/pbrt/textures.h"
+#include "formats/translation/facet_widths.h"
 
 namespace umbral::pbrt_file {
 

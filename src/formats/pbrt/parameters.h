@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/math.h"
-#include "formats/scene_builder.h"
+#include "formats/assembly/scene_builder.h"
 
 namespace umbral::pbrt_file {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/names.h"
-#include "formats/camera_placement.h"
-#include "formats/integrator_settings.h"
+#include "formats/translation/camera_placement.h"
+#include "formats/translation/integrator_settings.h"
 
 namespace umbral::pbrt_file {
 namespace {

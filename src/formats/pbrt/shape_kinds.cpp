@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "formats/bilinear_patch.h"
-#include "formats/loop_subdivision.h"
-#include "formats/mesh_facing.h"
-#include "formats/mesh_file.h"
+#include "formats/meshes/bilinear_patch.h"
+#include "formats/meshes/loop_subdivision.h"
+#include "formats/meshes/mesh_facing.h"
+#include "formats/meshes/mesh_file.h"
 #include "formats/pbrt/shapes.h"
 
 namespace umbral::pbrt_file {

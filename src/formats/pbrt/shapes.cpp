@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/mesh_facing.h"
-#include "formats/place_shape.h"
+#include "formats/assembly/place_shape.h"
+#include "formats/meshes/mesh_facing.h"
 
 namespace umbral::pbrt_file {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "formats/source_text.h"
+#include "formats/input/source_text.h"
 
 namespace umbral::pbrt_file {
 

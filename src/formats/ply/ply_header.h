@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/text_cursor.h"
+#include "formats/input/text_cursor.h"
 
 namespace umbral {
 

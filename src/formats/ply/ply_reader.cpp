@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "formats/meshes/triangulate.h"
 #include "formats/ply/ply_values.h"
-#include "formats/triangulate.h"
 
 namespace umbral {
 namespace {

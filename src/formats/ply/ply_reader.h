@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/source_text.h"
+#include "formats/input/source_text.h"
 #include "scene/shapes/mesh.h"
 
 namespace umbral {

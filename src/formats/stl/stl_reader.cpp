@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/text_cursor.h"
+#include "formats/input/text_cursor.h"
 
 namespace umbral {
 namespace {

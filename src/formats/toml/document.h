@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "formats/source_text.h"
+#include "formats/input/source_text.h"
 
 namespace umbral::toml_file {
 

@@ -5,9 +5,9 @@
 
 #include "core/kinds.h"
 #include "formats/ies.h"
-#include "formats/light_frame.h"
 #include "formats/toml/parameter_reader.h"
 #include "formats/toml/transform.h"
+#include "formats/translation/light_frame.h"
 #include "scene/lights/sky.h"
 
 namespace umbral::toml_file {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "formats/scene_builder.h"
+#include "formats/assembly/scene_builder.h"
 #include "formats/toml/table_reader.h"
 
 namespace umbral::toml_file {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/triangulate.h"
+#include "formats/meshes/triangulate.h"
 
 namespace umbral::toml_file {
 namespace {

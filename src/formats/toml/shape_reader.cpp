@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/kinds.h"
-#include "formats/mesh_file.h"
-#include "formats/place_shape.h"
+#include "formats/assembly/place_shape.h"
+#include "formats/meshes/mesh_file.h"
 #include "formats/toml/mesh.h"
 #include "formats/toml/parameter_reader.h"
 #include "formats/toml/transform.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "formats/scene_builder.h"
+#include "formats/assembly/scene_builder.h"
 #include "formats/toml/name_table.h"
 #include "formats/toml/texture_library.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/diagnostics.h"
+#include "formats/input/diagnostics.h"
 #include "formats/toml/document.h"
 
 namespace umbral::toml_file {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/scene_builder.h"
+#include "formats/assembly/scene_builder.h"
 #include "formats/toml/name_table.h"
 #include "formats/toml/table_reader.h"
 

@@ -1,0 +1,93 @@
+// SceneBuilder: a scene in the making, with the place in the files that each part came from.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "formats/assembly/named_camera.h"
+#include "formats/input/diagnostics.h"
+#include "formats/input/input_files.h"
+#include "formats/read_options.h"
+#include "scene/description.h"
+
+namespace umbral {
+
+// Shapes that stand together, in the world or in an object.
+struct ShapeList {
+  std::vector<Shape> shapes;
+  std::vector<Place> places;  // one a shape
+
+  void add(Shape shape, Place place) {
+    shapes.push_back(std::move(shape));
+    places.push_back(std::move(place));
+  }
+};
+
+struct ObjectDraft {
+  std::string name;
+  ShapeList content;
+};
+
+class SceneBuilder {
+ public:
+  SceneBuilder(Diagnostics& diagnostics_, InputFiles& files_, ReadOptions options_ = {})
+      : diagnostics(diagnostics_),
+        files(files_),
+        options(std::move(options_)),
+        texture_memory(static_cast<std::size_t>(options.texture_memory)) {}
+
+  Diagnostics& diagnostics;
+  InputFiles& files;
+  ReadOptions options;
+  std::vector<std::string> left_out;      // what lacks() was told
+  std::vector<std::string> approximated;  // what approximates() was told
+
+  CameraSettings camera;
+  bool has_camera = false;
+  std::vector<NamedCamera> cameras;  // those that files name
+  std::vector<Texture> textures;     // prepared
+  std::vector<Material> materials;
+  std::vector<Place> material_places;  // one a material
+  ShapeList world;
+  std::vector<ObjectDraft> objects;
+  std::vector<Instance> instances;
+  std::vector<LightKinds> lights;
+  std::optional<EnvironmentLight> environment;  // prepared
+
+  // Makes it the scene's own if that has none yet.
+  void add_camera(NamedCamera named);
+  TextureId add(Texture texture);
+  // What is wrong with its parts (formats/material_parts.h) is an error.
+  MaterialId add(Material material, Place place);
+
+  // What emitters reflect where they name no material: nothing.
+  MaterialId black_material();
+
+  // The image of that file, loaded once however often it is asked for. Repairs become warnings at `place`.
+  // `with_levels`: with its levels of detail. Throws SceneError if the file cannot be read.
+  std::shared_ptr<const TextureImage> image(const std::filesystem::path& file, ColorSpace space,
+                                            const Place& place, bool with_levels = false);
+
+  TextureMemory texture_memory;  // of all images
+
+  // Tells of something in a file that umbral does not know: "a medium". An error; where the options are lenient it is
+  // left out instead, which becomes a warning and part of the image's provenance.
+  void lacks(const Place& place, const std::string& what);
+
+  // Tells of something that umbral shows by a thing of its own that looks nearly the same: "Beckmann facets by GGX's". A
+  // warning, and part of the image's provenance.
+  void approximates(const Place& place, const std::string& what);
+
+  // Moves everything out.
+  SceneDescription finish();
+
+ private:
+  MaterialId black_ = MaterialId::none;
+  std::map<std::pair<std::filesystem::path, ColorSpace>, std::shared_ptr<TextureImage>> images_;
+};
+
+}  // namespace umbral
