@@ -35,7 +35,7 @@ void expect_widths(const Conductor& metal, double alpha_u, double alpha_v) {
   EXPECT_EQ(metal.anisotropy_rotation, alpha_u < alpha_v ? 90 : 0);
 }
 
-TEST(Facets, OfMetalsMayDifferInUAndV) {
+TEST(Facets, OfMetalsAndGlassMayDifferInUAndV) {
   const SceneFolder folder;
   expect_widths(lobe_in<Conductor>(pbrt(folder,
                                         "\"conductor\" \"float uroughness\" .3 \"float vroughness\" .1"
@@ -49,11 +49,16 @@ TEST(Facets, OfMetalsMayDifferInUAndV) {
                                            "<float name='alpha_u' value='.05'/><float name='alpha_v' "
                                            "value='.4'/><string name='material' value='Al'/>")),
                 0.05, 0.4);
+  const auto glass =
+      lobe_in<Dielectric>(pbrt(folder, "\"dielectric\" \"float uroughness\" .0025 \"float vroughness\" .01"));
+  EXPECT_NEAR(sqr(glass.roughness) * (1 + glass.anisotropy), 0.1, 1e-6);
+  EXPECT_NEAR(sqr(glass.roughness) * (1 - glass.anisotropy), 0.05, 1e-6);
+  EXPECT_EQ(glass.anisotropy_rotation, 90);
   folder.write("scene.pbrt",
-               "WorldBegin\nMaterial \"dielectric\" \"float uroughness\" .1\nShape \"sphere\"\n");
+               "WorldBegin\nMaterial \"coateddiffuse\" \"float uroughness\" .1\nShape \"sphere\"\n");
   EXPECT_EQ(folder.errors("scene.pbrt"),
-            "scene.pbrt:2:1: error: not supported: roughness that differs in u and v, but of a bare metal; "
-            "--lenient leaves it out\n    2 | Material \"dielectric\" \"float uroughness\" .1\n      | ^");
+            "scene.pbrt:2:1: error: not supported: roughness that differs in u and v under or on a coat; "
+            "--lenient leaves it out\n    2 | Material \"coateddiffuse\" \"float uroughness\" .1\n      | ^");
 }
 
 TEST(Facets, MayBeOfImages) {
@@ -87,6 +92,29 @@ TEST(Facets, MayBeOfImages) {
       "Shape \"sphere\"\n");
   EXPECT_TRUE(
       contains(folder.errors("scene.pbrt"), "not supported: a texture for roughness that is no image"));
+}
+
+TEST(CoatedMetals, AreCoatsOverMetalsInThem) {
+  const SceneFolder folder;
+  const SceneFile file =
+      pbrt(folder,
+           "\"coatedconductor\" \"float interface.roughness\" .0001 \"float interface.eta\" 1.6 "
+           "\"float conductor.uroughness\" .04 \"float conductor.vroughness\" .01 \"spectrum "
+           "conductor.eta\" \"metal-Au-eta\" \"spectrum conductor.k\" \"metal-Au-k\" \"float "
+           "thickness\" .1 \"integer maxdepth\" 9");
+  const Material& coated = file.scene.materials.at(index_of(file.scene.shapes.at(0).material));
+  const Coat& coat = std::get<Coat>(coated.lobe);
+  EXPECT_FLOAT_EQ(coat.eta, 1.6f);
+  EXPECT_NEAR(sqr(coat.roughness), 0.01, 1e-6);
+  ASSERT_EQ(coated.parts.size(), 1u);
+  const Conductor& metal =
+      std::get<Conductor>(file.scene.materials.at(index_of(coated.parts[0].material)).lobe);
+  expect_widths(metal, 0.2, 0.1);
+  const ComplexIndex gold = metal_index(Metal::Au);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(metal.eta[c], gold.eta[c] / 1.6f, 1e-6f);
+    EXPECT_NEAR(metal.k[c], gold.k[c] / 1.6f, 1e-6f);
+  }
 }
 
 TEST(Beckmann, IsShownByGgxAndSaysSo) {

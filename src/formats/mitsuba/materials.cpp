@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "bsdf/fresnel.h"
 #include "formats/assembly/material_parts.h"
 #include "formats/mitsuba/colors.h"
 #include "formats/translation/mapped_texture.h"
 #include "formats/translation/material_parameters.h"
+#include "formats/translation/tinted_metal.h"
 
 namespace umbral::mitsuba_file {
 namespace {
@@ -19,17 +19,6 @@ Material one_sided(const Lobes& lobe) {
   Material material = with_lobe(lobe);
   material.back = BackSide::absorbing;
   return material;
-}
-
-// What it reflects times a tint: the same at 0° and in the mean over the hemisphere, which is linear in the edge's tint.
-void put_tint(const Spectrum& tint, Conductor& lobe) {
-  const Spectrum middle = tint * lobe.fresnel(1);
-  const Vec3 wanted(tint * lobe.fresnel_average()), dark_edge(fresnel_schlick_average(middle, black)),
-      white_edge(fresnel_schlick_average(middle, white));
-  lobe.metal = Metal::none;
-  lobe.eta = lobe.k = black;
-  lobe.reflectance = middle;
-  lobe.edge_tint = Spectrum(glm::clamp((wanted - dark_edge) / (white_edge - dark_edge), 0.0f, 1.0f), 0);
 }
 
 }  // namespace
@@ -174,7 +163,7 @@ FacetWidths Materials::facets(const Properties& properties) {
 Textured<float> Materials::roughness(const Properties& properties) {
   const FacetWidths widths = facets(properties);
   if (widths.alpha_u != widths.alpha_v)
-    builder_.lacks(properties.place(), "roughness that differs in u and v, but of a metal");
+    builder_.lacks(properties.place(), "roughness that differs in u and v of a plastic");
   return widths.roughness();
 }
 
@@ -220,7 +209,7 @@ Materials::Draft Materials::conductor(const Properties& properties, bool rough) 
     builder_.lacks(properties.place(), fmt::format("the metal '{}'", name));
   }
   if (tint != white) {
-    put_tint(tint, lobe);
+    tint_metal(tint, lobe);
     builder_.approximates(properties.place(), "a tinted metal by its colour at 0° and in the mean");
   }
   Draft result{one_sided(lobe)};
@@ -231,10 +220,11 @@ Materials::Draft Materials::conductor(const Properties& properties, bool rough) 
 Materials::Draft Materials::dielectric(const Properties& properties, bool rough) {
   Dielectric lobe;
   lobe.eta = relative_index(builder_, properties, "bk7");
-  lobe.roughness = 0;
+  const FacetWidths widths = rough ? facets(properties) : FacetWidths{};
+  widths.put_into(lobe);
   untinted(properties, {"specular_reflectance", "specular_transmittance"});
   Draft result{with_lobe(lobe)};
-  if (rough) set_parameters<float>(result.material, {{"roughness", roughness(properties)}});
+  if (widths.is_textured()) set_parameters<float>(result.material, {{"roughness", widths.roughness()}});
   return result;
 }
 

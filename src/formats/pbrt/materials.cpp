@@ -14,6 +14,14 @@ namespace {
 
 Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
 
+template <class Lobe>
+Material with_facets(Lobe lobe, const FacetWidths& widths) {
+  widths.put_into(lobe);
+  Material material = with_lobe(lobe);
+  if (widths.is_textured()) set_parameters<float>(material, {{"roughness", widths.roughness()}});
+  return material;
+}
+
 float root(float x) { return std::sqrt(glm::clamp(x, 0.0f, 1.0f)); }
 float root_of_root(float x) { return std::sqrt(root(x)); }
 
@@ -139,6 +147,8 @@ Material Materials::convert_alone(const MaterialDefinition& definition) {
     material = coated_diffuse(parameters);
   } else if (definition.kind == "conductor") {
     material = conductor(parameters);
+  } else if (definition.kind == "coatedconductor") {
+    material = coated_conductor(parameters);
   } else if (definition.kind == "dielectric") {
     material = dielectric(parameters);
   } else if (definition.kind == "thindielectric") {
@@ -207,20 +217,34 @@ Conductor Materials::metal(const Parameters& parameters, const std::string& pref
 }
 
 Material Materials::conductor(const Parameters& parameters) {
-  Conductor lobe = metal(parameters, "");
-  const FacetWidths widths = facets(parameters);
-  widths.put_into(lobe);
-  Material material = with_lobe(lobe);
-  if (widths.is_textured()) set_parameters<float>(material, {{"roughness", widths.roughness()}});
+  return with_facets(metal(parameters, ""), facets(parameters));
+}
+
+// The metal lies in the coat, by which its index is divided.
+Material Materials::coated_conductor(const Parameters& parameters) {
+  Coat coat;
+  coat.eta = static_cast<float>(index_of_refraction(builder_, parameters, "interface.eta", 1.5));
+  Conductor metal = this->metal(parameters, "conductor.");
+  const ComplexIndex in_air =
+      metal.metal == Metal::none ? ComplexIndex{metal.eta, metal.k} : metal_index(metal.metal);
+  metal.metal = Metal::none;
+  metal.eta = in_air.eta / coat.eta;
+  metal.k = in_air.k / coat.eta;
+  Material base = with_facets(metal, facets(parameters, "conductor."));
+  Material material = with_lobe(coat);
+  material.parts.push_back(
+      {detail::set_part<&Coat::base>, builder_.add(std::move(base), parameters.place())});
+  set_parameters<float>(material, {{"roughness", roughness(parameters, "interface.")}});
+  if (!is_black(albedo(builder_, parameters, "albedo", black)))
+    parameters.lacks("albedo", "a medium between coat and metal");
+  parameters.ignore({"thickness", "g", "maxdepth", "nsamples"});
   return material;
 }
 
 Material Materials::dielectric(const Parameters& parameters) {
   Dielectric lobe;
   lobe.eta = static_cast<float>(index_of_refraction(builder_, parameters, "eta", 1.5));
-  Material material = with_lobe(lobe);
-  set_parameters<float>(material, {{"roughness", roughness(parameters)}});
-  return material;
+  return with_facets(lobe, facets(parameters));
 }
 
 Material Materials::diffuse_transmission(const Parameters& parameters) {
@@ -264,7 +288,7 @@ FacetWidths Materials::facets(const Parameters& parameters, const std::string& p
 Textured<float> Materials::roughness(const Parameters& parameters, const std::string& prefix) {
   const FacetWidths widths = facets(parameters, prefix);
   if (widths.alpha_u != widths.alpha_v)
-    builder_.lacks(parameters.place(), "roughness that differs in u and v, but of a bare metal");
+    builder_.lacks(parameters.place(), "roughness that differs in u and v under or on a coat");
   return widths.roughness();
 }
 

@@ -59,6 +59,7 @@ class Materials {
   Material diffuse(const Parameters& parameters);
   Material coated_diffuse(const Parameters& parameters);
   Material conductor(const Parameters& parameters);
+  Material coated_conductor(const Parameters& parameters);
   // Its optics alone; names of parameters begin with `prefix`.
   Conductor metal(const Parameters& parameters, const std::string& prefix);
   Material dielectric(const Parameters& parameters);

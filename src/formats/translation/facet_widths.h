@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bsdf/conductor.h"
+#include "core/parameters.h"
 #include "scene/ids.h"
 
 namespace umbral {
@@ -17,7 +17,8 @@ struct FacetWidths {
   Textured<float> roughness() const { return {std::sqrt(std::sqrt(alpha_u * alpha_v)), map}; }
 
   // alpha (1 ± anisotropy) along the direction of the wider ones and across it.
-  void put_into(Conductor& lobe) const {
+  template <class Lobe>  // a Conductor or a Dielectric
+  void put_into(Lobe& lobe) const {
     const float mean = (alpha_u + alpha_v) / 2;
     lobe.roughness = std::sqrt(mean);
     lobe.anisotropy = mean > 0 ? std::abs(alpha_u - alpha_v) / (2 * mean) : 0;
