@@ -26,8 +26,11 @@ Ggx ggx_of(const Dielectric& lobe) {
   return lobe.anisotropy == 0 ? Ggx{alpha, alpha} : Ggx::of_roughness(lobe.roughness, lobe.anisotropy);
 }
 
+// Of round facets that lose as much, or less where these are stretched; nearer to the smaller width, as light is lost by the
+// masking of either.
 float round_alpha(const Ggx& ggx) {
-  return ggx.alpha_x == ggx.alpha_y ? ggx.alpha_x : std::sqrt(ggx.alpha_x * ggx.alpha_y);
+  if (ggx.alpha_x == ggx.alpha_y) return ggx.alpha_x;
+  return std::sqrt(std::min(ggx.alpha_x, ggx.alpha_y) * std::sqrt(ggx.alpha_x * ggx.alpha_y));
 }
 
 // Directions in the frame along which the facets are stretched.
@@ -39,33 +42,19 @@ Vec3 from_facets(const Dielectric& lobe, const Vec3& w) {
   return is_turned(lobe) ? turned(w, -lobe.anisotropy_rotation) : w;
 }
 
-float ratio(float of_stretched, float of_round) { return of_round > 0 ? of_stretched / of_round : 1; }
-
-// M, for directions in the frame of the facets.
-float lost_of(const Dielectric& lobe, const Ggx& ggx, const Vec3& w) {
-  const float alpha = round_alpha(ggx);
-  const float lost = interface_shares(w.z, alpha, lobe.eta).lost;
-  if (ggx.alpha_x == ggx.alpha_y) return lost;
-  const Vec3 above = on_side_of(w, w);
-  return std::min(1.0f, lost * ratio(ggx_loss(ggx, above), ggx_loss({alpha, alpha}, above)));
-}
-
-float stretch_of_average(const Ggx& ggx) {
-  if (ggx.alpha_x == ggx.alpha_y) return 1;
-  const float alpha = round_alpha(ggx);
-  return ratio(ggx_average_loss(ggx), ggx_average_loss({alpha, alpha}));
+float lost_of(const Dielectric& lobe, const Ggx& ggx, float cos_theta) {
+  return interface_shares(cos_theta, round_alpha(ggx), lobe.eta).lost;
 }
 
 // Of the lost light as much goes in as of one bounce's, unless as much could not come out again.
 Side side_of(const Dielectric& lobe, const Vec3& wo) {
   const Ggx ggx = ggx_of(lobe);
   const InterfaceAverages averages = interface_averages(round_alpha(ggx), lobe.eta);
-  const float more = stretch_of_average(ggx);
-  const float outside = std::max(1e-9f, averages.lost_outside * more);
-  const float inside = std::max(1e-9f, averages.lost_inside * more);
+  const float outside = std::max(1e-9f, averages.lost_outside);
+  const float inside = std::max(1e-9f, averages.lost_inside);
   const float ratio = sqr(lobe.eta) * inside / outside;
-  const float to_inside = std::min(1 - averages.reflected / (1 - std::min(0.999f, outside)), ratio);
-  const float lost = lost_of(lobe, ggx, wo);
+  const float to_inside = std::min(1 - averages.reflected / (1 - outside), ratio);
+  const float lost = lost_of(lobe, ggx, wo.z);
   if (wo.z > 0) return {ggx, true, lobe.eta, lost, outside, inside, to_inside, lobe.interface()};
   return {ggx, false, 1 / lobe.eta, lost, inside, outside, to_inside / ratio, lobe.interface()};
 }
@@ -106,7 +95,7 @@ Spectrum Dielectric::f_cos(const Vec3& wo, const Vec3& wi) const {
   const Side side = side_of(*this, facets_o);
   const Vec3 o = turned(facets_o, wo), i = turned(facets_i, wo);
   const float zi = std::abs(i.z);
-  const float both = side.lost * lost_of(*this, side.ggx, facets_i) * inverse_pi;
+  const float both = side.lost * lost_of(*this, side.ggx, wi.z) * inverse_pi;
   if (i.z > 0) {
     const Vec3 sum = o + i;
     const float length = glm::length(sum);

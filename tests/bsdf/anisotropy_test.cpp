@@ -83,17 +83,19 @@ TYPED_TEST(StretchedLobe, IsRoundWithoutStretch) {
   EXPECT_NEAR(lobe.f_cos(wo, direction_at(TypeParam::z, 2)).g, f, 1e-5 * f);
 }
 
-// Of glass what stretched facets lose is only as exact as the ratio of what mirrors lose; standard errors are below 0.003.
-TEST(Dielectric, LosesLittleWhereItsFacetsAreStretched) {
-  for (const float roughness : {0.3f, 0.7f})
-    for (const float anisotropy : {0.5f, 0.9f})
+// Glass is given back no more than it loses, and not all of it: standard errors are below 0.004.
+TEST(Dielectric, MakesNothingWhereItsFacetsAreStretched) {
+  for (const float roughness : {0.2f, 0.5f, 0.9f})
+    for (const float anisotropy : {0.01f, 0.3f, 0.9f})
       for (const double c : {1.0, 0.6, 0.2, -0.3, -0.8, -1.0})
-        for (const double phi : {0.0, 0.8, 1.5})
-          EXPECT_NEAR(
-              albedo_by_draws(rough<Dielectric>(roughness, anisotropy, 20), direction_at(c, phi), 10'000)
-                  .mean,
-              1, 0.02)
-              << fmt::format("roughness {}, anisotropy {}, cos {}, phi {}", roughness, anisotropy, c, phi);
+        for (const double phi : {0.0, 0.8, 1.5}) {
+          const double albedo =
+              albedo_by_draws(rough<Dielectric>(roughness, anisotropy, 20), direction_at(c, phi), 6000).mean;
+          const std::string where =
+              fmt::format("roughness {}, anisotropy {}, cos {}, phi {}", roughness, anisotropy, c, phi);
+          EXPECT_LT(albedo, 1.02) << where;
+          EXPECT_GT(albedo, anisotropy == 0.01f ? 0.97 : roughness == 0.2f ? 0.94 : 0.3) << where;
+        }
 }
 
 }  // namespace

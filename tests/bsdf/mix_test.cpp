@@ -58,7 +58,9 @@ TEST(Mix, DrawsMirrorsAsOftenAsTheyWeigh) {
     const auto drawn = mix.sample(wo, (static_cast<float>(i) + 0.5f) / draws, {0.2f, 0.9f});
     ASSERT_TRUE(drawn);
     mirrored += drawn->delta;
-    if (drawn->delta) EXPECT_EQ(drawn->weight, rgb(0.9f, 0.8f, 0.7f));
+    if (drawn->delta) {
+      EXPECT_EQ(drawn->weight, rgb(0.9f, 0.8f, 0.7f));
+    }
   }
   EXPECT_NEAR(mirrored, 0.3 * draws, 1);
   EXPECT_FALSE(mix.only_delta());
