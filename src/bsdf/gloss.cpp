@@ -5,18 +5,27 @@
 
 namespace umbral {
 
+namespace {
+
+// The matte part of f |cos θi|, for directions with z ≥ 0.
+Spectrum body_of(const Gloss& lobe, const Vec3& o, const Vec3& i) {
+  const Skin& skin = lobe.skin;
+  return body_f_cos(lobe.reflectance, skin.albedo(o.z), skin.albedo(i.z), skin.average_albedo(), i.z);
+}
+
+}  // namespace
+
 Spectrum Gloss::f_cos(const Vec3& wo, const Vec3& wi) const {
-  Spectrum f = black;
-  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
-  return f;
+  if (!same_side(wo, wi)) return black;
+  const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  return body_of(*this, o, i) + skin.f_cos(o, i);
 }
 
 void Gloss::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
   if (!same_side(wo, wi)) return;
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
-  visit(body_f_cos(reflectance, skin.albedo(o.z), skin.albedo(i.z), skin.average_albedo(), i.z),
-        Spread::matte(skin.lean_of_passed()));
-  if (!skin.is_smooth()) visit(skin.f_cos(o, i), Spread::of_facets(skin.round_alpha()));
+  visit(body_of(*this, o, i), Spread::matte(skin.lean_of_passed()));
+  visit(skin.f_cos(o, i), Spread::of_facets(skin.round_alpha()));
 }
 
 float Gloss::pdf(const Vec3& wo, const Vec3& wi) const {

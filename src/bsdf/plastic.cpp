@@ -41,27 +41,35 @@ float skin_probability(const Plastic& lobe, float skin) {
   return skin + body > 0 ? skin / (skin + body) : 0.5f;
 }
 
+// The two parts of f |cos θi|, for directions with z ≥ 0.
+Spectrum body_of(const Plastic& lobe, const Vec3& o, const Vec3& i) {
+  const float average = skin_average(lobe);
+  const float both = (1 - skin_albedo(lobe, o.z)) * (1 - skin_albedo(lobe, i.z));
+  return body_color(lobe, average) * (both * inverse_pi / (1 - average) * i.z);
+}
+
+Spectrum highlight_of(const Plastic& lobe, const Vec3& o, const Vec3& i) {
+  const Vec3 sum = o + i;
+  const float length = glm::length(sum);
+  if (is_smooth(lobe) || !(length > 1e-12f)) return black;
+  const Ggx ggx = ggx_of(lobe);
+  return fresnel_dielectric(0.5f * length, lobe.eta) * ggx.density(sum / length) * ggx.shadowed_cos(o, i) *
+         white;
+}
+
 }  // namespace
 
 Spectrum Plastic::f_cos(const Vec3& wo, const Vec3& wi) const {
-  Spectrum f = black;
-  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
-  return f;
+  if (!same_side(wo, wi)) return black;
+  const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  return body_of(*this, o, i) + highlight_of(*this, o, i);
 }
 
 void Plastic::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
   if (!same_side(wo, wi)) return;
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
-  const float average = skin_average(*this);
-  const float both = (1 - skin_albedo(*this, o.z)) * (1 - skin_albedo(*this, i.z));
-  visit(body_color(*this, average) * (both * inverse_pi / (1 - average) * i.z),
-        Spread::matte(skin_of(*this).lean_of_passed()));
-  const Vec3 sum = o + i;
-  const float length = glm::length(sum);
-  if (is_smooth(*this) || !(length > 1e-12f)) return;
-  const Ggx ggx = ggx_of(*this);
-  visit(fresnel_dielectric(0.5f * length, eta) * ggx.density(sum / length) * ggx.shadowed_cos(o, i) * white,
-        Spread::of_facets(ggx.alpha_x));
+  visit(body_of(*this, o, i), Spread::matte(skin_of(*this).lean_of_passed()));
+  visit(highlight_of(*this, o, i), Spread::of_facets(ggx_of(*this).alpha_x));
 }
 
 float Plastic::pdf(const Vec3& wo, const Vec3& wi) const {

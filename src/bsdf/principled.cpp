@@ -146,7 +146,12 @@ bool Principled::only_delta() const {
 
 Spectrum Principled::f_cos(const Vec3& wo, const Vec3& wi) const {
   Spectrum f = black;
-  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
+  if (PrincipledLayers::exist(*this)) {
+    each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
+  } else if (wo.z != 0 && wi.z != 0) {
+    const Vec3 o = to_stretch(*this, wo), i = to_stretch(*this, wi);
+    for_each_part(*this, [&](float weight, const auto& lobe) { f += weight * lobe.f_cos(o, i); });
+  }
   return f;
 }
 

@@ -10,22 +10,28 @@ namespace {
 
 Fuzz fuzz_of(const Sheen& lobe) { return Fuzz::of_roughness(lobe.sheen_roughness); }
 
+// The part of f |cos θi| beneath the fuzz, for directions with z ≥ 0.
+Spectrum body_of(const Sheen& lobe, const Fuzz& fuzz, const Vec3& o, const Vec3& i) {
+  const Spectrum& color = lobe.sheen_color;
+  return body_f_cos(lobe.reflectance, color * fuzz.albedo(o.z), color * fuzz.albedo(i.z),
+                    color * fuzz.average_albedo(), i.z);
+}
+
 }  // namespace
 
 Spectrum Sheen::f_cos(const Vec3& wo, const Vec3& wi) const {
-  Spectrum f = black;
-  each_part(wo, wi, [&](const Spectrum& part, Spread) { f += part; });
-  return f;
+  if (!same_side(wo, wi)) return black;
+  const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  const Fuzz fuzz = fuzz_of(*this);
+  return sheen_color * fuzz.f_cos(o, i) + body_of(*this, fuzz, o, i);
 }
 
 void Sheen::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
   if (!same_side(wo, wi)) return;
-  const Fuzz fuzz = fuzz_of(*this);
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
+  const Fuzz fuzz = fuzz_of(*this);
   visit(sheen_color * fuzz.f_cos(o, i), Spread::matte(fuzz.lean()));
-  visit(body_f_cos(reflectance, sheen_color * fuzz.albedo(o.z), sheen_color * fuzz.albedo(i.z),
-                   sheen_color * fuzz.average_albedo(), i.z),
-        Spread::matte(fuzz.lean_of_passed(luminance(sheen_color))));
+  visit(body_of(*this, fuzz, o, i), Spread::matte(fuzz.lean_of_passed(luminance(sheen_color))));
 }
 
 float Sheen::pdf(const Vec3& wo, const Vec3& wi) const {
