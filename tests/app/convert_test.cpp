@@ -29,10 +29,10 @@ struct Convert : testing::Test {
   }
 
   // Both as close as float arithmetic allows; returns the text of the converted scene.
-  std::string expect_same(const std::string& scene) {
-    const auto outcome = run("convert '" + scene + "' made/scene.toml");
+  std::string expect_same(const std::string& scene, const std::string& written = "made/scene.toml") {
+    const auto outcome = run("convert '" + scene + "' " + written);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-    const auto before = rendered(scene), after = rendered("made/scene.toml");
+    const auto before = rendered(scene), after = rendered(written);
     double sum = 0;
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < before[c].size(); ++i) {
@@ -40,7 +40,7 @@ struct Convert : testing::Test {
         sum += static_cast<double>(before[c][i]);
       }
     EXPECT_GT(sum, 1);
-    std::ifstream in(folder.path("made/scene.toml"));
+    std::ifstream in(folder.path(written));
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
@@ -149,6 +149,15 @@ TEST_F(Convert, TilesAreReferredToTogether) {
   folder.write("s.toml", tiled_scene);
   const std::string made = expect_same("s.toml");
   EXPECT_TRUE(test::contains(made, "file = \"../t.<UDIM>.tga\"")) << made;
+}
+
+TEST_F(Convert, ImagesAreFoundFromTheWorkingDirectory) {
+  folder.write("t.1001.tga", test::tga(2, 2, 255, 0, 0, 255));
+  folder.write("s.toml", tiled_scene);
+  for (const std::string& scene : {std::string("s.toml"), folder.path("s.toml").string()}) {
+    const std::string made = expect_same(scene, "beside.toml");
+    EXPECT_TRUE(test::contains(made, "file = \"t.<UDIM>.tga\"")) << made;
+  }
 }
 
 TEST_F(Convert, RefusesWhatWouldLoseAScene) {

@@ -45,7 +45,9 @@ bool ImageFiles::is_that(const std::filesystem::path& file, ColorSpace space,
 }
 
 std::string ImageFiles::relative(const std::filesystem::path& file) const {
-  return std::filesystem::relative(std::filesystem::absolute(file), folder_).generic_string();
+  // Neither nothing nor a name with <UDIM>, which no file has, is made absolute by relative() itself.
+  const std::filesystem::path from = std::filesystem::current_path() / folder_;
+  return std::filesystem::relative(std::filesystem::absolute(file), from).generic_string();
 }
 
 ImageFiles::Place ImageFiles::place_of(const std::shared_ptr<const TextureImage>& image,
