@@ -1,12 +1,12 @@
 // umbral converge as a user meets it: numbers, expectations, exit codes and files.
 #include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/chromium.h"
 #include "support/command.h"
+#include "support/contents.h"
 #include "support/paths.h"
 
 namespace umbral {
@@ -48,11 +48,7 @@ class Converge : public testing::Test {
     return test::run_command("cd '" + directory_.path().string() + "' && " UMBRAL_PROGRAM " " + arguments);
   }
 
-  std::string contents(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path(name)).rdbuf();
-    return text.str();
-  }
+  std::string contents(const std::string& name) const { return test::contents(path(name)); }
 
   test::TemporaryDirectory directory_;
 };

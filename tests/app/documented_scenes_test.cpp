@@ -1,21 +1,15 @@
 // What the documents show as a scene is one that can be read.
 #include <fstream>
 #include <regex>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "app/load_scene.h"
+#include "support/contents.h"
 #include "support/paths.h"
 
 namespace umbral::test {
 namespace {
-
-std::string contents(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 // The blocks of TOML with a camera are whole scenes; the others are parts.
 std::vector<std::string> whole_scenes(const std::string& text) {

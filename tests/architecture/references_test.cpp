@@ -1,23 +1,16 @@
 // Every paper that code, tests and documents cite is in docs/references.md.
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "support/contents.h"
 #include "support/paths.h"
 
 namespace umbral {
 namespace {
-
-std::string contents(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 // "[Duff et al. 2017]", "[Welch 1947; Veach 1997, §9.2]" → "Duff et al. 2017", "Veach 1997", "Welch 1947".
 std::set<std::string> citations(const std::string& text) {
@@ -35,13 +28,13 @@ TEST(References, ACitationIsRecognised) {
 }
 
 TEST(References, EveryCitationResolves) {
-  const std::string references = contents(test::source_path("docs/references.md"));
+  const std::string references = test::contents(test::source_path("docs/references.md"));
   std::size_t count = 0;
   for (const char* room : {"src", "tests", "docs"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_path(room))) {
       const std::set<std::string> file_types{".h", ".cpp", ".md"};
       if (!file_types.contains(entry.path().extension().string())) continue;
-      for (const std::string& citation : citations(contents(entry.path()))) {
+      for (const std::string& citation : citations(test::contents(entry.path()))) {
         ++count;
         EXPECT_NE(references.find("**" + citation + "**"), std::string::npos)
             << entry.path() << " cites " << citation;

@@ -3,10 +3,10 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "support/command.h"
+#include "support/contents.h"
 #include "support/paths.h"
 
 namespace umbral::test {
@@ -40,12 +40,6 @@ addEventListener('load', async () => {
 });
 </script>
 )";
-}
-
-std::string contents(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 void insert_before(std::string& text, const std::string& place, const std::string& piece) {
