@@ -103,7 +103,7 @@ template <int layers>
 class ScaleGrid {
  public:
   template <class Passed>
-  explicit ScaleGrid(Passed&& passed_by) {
+  explicit ScaleGrid(const Passed& passed_by) {
     for (int l = 0; l < layers; ++l) {
       Row passed(0);
       for (int i = 0; i < angles; ++i)

@@ -28,7 +28,7 @@ template <class Variant>
 std::optional<Variant> make_kind(const std::string& kind) {
   std::optional<Variant> made;
   for_each_kind<Variant>([&](auto&& value) {
-    if (kind == value.kind) made = std::move(value);
+    if (kind == value.kind) made = std::move(value);  // NOLINT(bugprone-move-*): made for this call
   });
   return made;
 }
