@@ -26,13 +26,11 @@ struct EachWrap {
 
 // Coordinates in texels, wrapped into the image; in [0, n], for any u.
 inline float wrapped(float u, int n, Wrap wrap) {
-  float t;
+  float t = std::min(u, 1.0f);
   if (wrap == Wrap::repeat)
     t = u - std::floor(u);
   else if (wrap == Wrap::mirror)
     t = 1 - std::abs(u - 2 * std::floor(0.5f * u) - 1);
-  else
-    t = std::min(u, 1.0f);
   t = t > 0 ? t : 0;  // and not a number becomes 0
   return t * static_cast<float>(n);
 }
