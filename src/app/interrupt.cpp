@@ -1,6 +1,7 @@
 // Signal handlers.
 #include "app/interrupt.h"
 
+#include <chrono>
 #include <csignal>
 
 namespace umbral {
@@ -9,9 +10,19 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+using Clock = std::chrono::steady_clock;  // asks the system in a way that signal handlers may
+std::atomic<Clock::rep> first_signal{0};
+static_assert(std::atomic<Clock::rep>::is_always_lock_free);
+
+// A second signal kills, unless it comes with the first: `timeout` sends its signal to the process and to its group.
 void on_signal(int signal) {
-  interrupted = true;
-  std::signal(signal, SIG_DFL);
+  const Clock::rep now = Clock::now().time_since_epoch().count();
+  if (!interrupted.exchange(true)) {
+    first_signal = now;
+  } else if (Clock::duration(now - first_signal) > std::chrono::seconds(1)) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace

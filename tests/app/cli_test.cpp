@@ -178,6 +178,15 @@ TEST_F(Cli, CtrlCWritesWhatThereIs) {
   }
 }
 
+TEST_F(Cli, ASignalThatComesTwiceAtOnceIsOne) {
+  const Outcome outcome =
+      test::run_command("cd '" + folder_.string() +
+                        "' && " UMBRAL_PROGRAM
+                        " render room.toml --spp 1000000000 --size 800x600 & sleep 2; kill "
+                        "-INT $!; sleep 0.02; kill -INT $!; wait $!");
+  EXPECT_TRUE(fs::exists(folder_ / "room.exr")) << outcome.text;
+}
+
 TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
   const auto refused = [&](const std::string& arguments, const std::string& message) {
     const Outcome outcome = run(arguments);
