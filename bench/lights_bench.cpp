@@ -1,7 +1,5 @@
 // Ten thousand lights: relMSE · time of choosing by the light tree, by power, and all alike. Of reflected light, and of
 // all that is seen: lamps smaller than a pixel are seen with a noise that no choice among lights can change.
-#include <sys/resource.h>
-
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +10,7 @@
 
 #include "bench_scenes.h"
 #include "core/parallel.h"
+#include "cpu_seconds.h"
 #include "integrators/path.h"
 #include "render/renderer.h"
 
@@ -19,13 +18,6 @@ namespace umbral::bench {
 namespace {
 
 constexpr int size = 96;
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
 
 struct Image {
   std::vector<double> seen, reflected;  // with the lamps themselves, and without

@@ -7,6 +7,7 @@
 
 #include "bench_scenes.h"
 #include "core/parallel.h"
+#include "cpu_seconds.h"
 #include "embree_share.h"
 #include "integrators/registry.h"
 #include "ray_count.h"
@@ -14,13 +15,6 @@
 
 namespace umbral::bench {
 namespace {
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
 
 double peak_mebibytes() {
   rusage usage{};

@@ -103,8 +103,8 @@ void print_warnings(const SceneFile& file, bool quiet) {
   for (const Diagnostic& warning : file.warnings) fmt::print(stderr, "{}\n", warning.text());
 }
 
-RenderResult run(const Scene& scene, Integrator& integrator, const RenderOptions& options, bool quiet,
-                 const InterruptGuard& interrupt) {
+RenderResult run(const Scene& scene, Integrator& integrator, const RenderOptions& options, bool quiet) {
+  const InterruptGuard interrupt;
   ProgressBar bar(options.relative_error);
   RenderHooks hooks;
   if (!quiet) hooks.progress = [&](const RenderProgress& progress) { bar.show(progress); };
@@ -182,9 +182,7 @@ int command(const Arguments& arguments) {
   }
   if (arguments.sample) refuse("--sample needs --pixel x,y");
   { const AtomicFile probe(output_path(arguments).string()); }  // fails now rather than after hours
-  const InterruptGuard interrupt;                               // until all is written
-  const RenderResult result =
-      run(scene, integrator, job.options, arguments.quiet || arguments.json, interrupt);
+  const RenderResult result = run(scene, integrator, job.options, arguments.quiet || arguments.json);
   write_and_tell(arguments, job, result, scene);
   return exit_code_of(result, job.options);
 }

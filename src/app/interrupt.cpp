@@ -33,7 +33,9 @@ InterruptGuard::InterruptGuard() {
   std::signal(SIGTERM, on_signal);
 }
 
+// After an interruption what there is has still to be written.
 InterruptGuard::~InterruptGuard() {
+  if (interrupted) return;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }

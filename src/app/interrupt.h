@@ -5,7 +5,8 @@
 
 namespace umbral {
 
-// While it lives, the first SIGINT or SIGTERM sets flag(); a second one ends the program at once.
+// While it lives, the first SIGINT or SIGTERM sets flag(); one that comes more than a second later ends the program at once.
+// Once there was a first, that stays so after its life too, until what there is is written.
 class InterruptGuard {
  public:
   InterruptGuard();

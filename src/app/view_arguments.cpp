@@ -53,11 +53,9 @@ void apply_view(const ViewArguments& view, SceneFile& file) {
     camera.orthographic_height = 0;
   }
   if (const auto fault = fault_of(camera)) refuse(*fault);
-  const Vec3d direction = Vec3d(camera.look_at) - Vec3d(camera.position);
-  const double sideways = glm::length(cross(direction, Vec3d(camera.up)));
-  if (direction == Vec3d(0)) refuse("--look-at is where the camera is: there is no direction to look in");
-  if (!(sideways > 1e-6 * glm::length(direction) * glm::length(Vec3d(camera.up))))
-    refuse("the view is along what is up in the image: give another --up");
+  if (camera.look_at == camera.position)
+    refuse("--look-at is where the camera is: there is no direction to look in");
+  if (lacks_up(camera)) refuse("the view is along what is up in the image: give another --up");
 }
 
 }  // namespace umbral

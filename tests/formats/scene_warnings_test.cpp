@@ -162,9 +162,12 @@ TEST(SceneErrors, NumbersBeyondWhatRaysCanBeTracedWith) {
   EXPECT_EQ(tiny("e-15"), "no error");
   const auto view = [&](const std::string& settings) { return errors(camera + settings + ball); };
   EXPECT_TRUE(contains(errors("[camera]\nposition = [2e18, 0, 5]\n" + ball), "the camera is at 2e+18"));
-  EXPECT_TRUE(contains(view("lens_radius = 1e20\n"), "the camera's lens, fov or shift"));
-  EXPECT_TRUE(contains(view("shift = [1e20, 0]\n"), "the camera's lens, fov or shift"));
-  EXPECT_TRUE(contains(view("lens_radius = 1\nfocus_distance = 1e-30\n"), "the camera's lens, fov or shift"));
+  EXPECT_TRUE(contains(view("lens_radius = 1e20\n"), "the camera's lens, fov, orthographic height or shift"));
+  EXPECT_TRUE(
+      contains(view("orthographic_height = 1e30\n"), "the camera's lens, fov, orthographic height or shift"));
+  EXPECT_TRUE(contains(view("shift = [1e20, 0]\n"), "the camera's lens, fov, orthographic height or shift"));
+  EXPECT_TRUE(contains(view("lens_radius = 1\nfocus_distance = 1e-30\n"),
+                       "the camera's lens, fov, orthographic height or shift"));
   EXPECT_EQ(view("lens_radius = 1e10\nfov = 179.9\nshift = [1e10, 0]\n"), "no error");
   const auto lamp = [&](const std::string& settings) {
     return errors(camera + ball + "[[lights]]\ntype = \"point\"\n" + settings);

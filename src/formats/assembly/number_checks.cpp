@@ -12,6 +12,9 @@ constexpr double farthest = 1e17;
 // Of a whole scene: squares of distances a thousandth of that are still numbers.
 constexpr double smallest = 1e-15;
 
+// Of a film, its width over its height.
+constexpr double widest = 65536;
+
 // Of radiance, intensity and irradiance: 1e8 times as much, divided by squares of distances, is still a number.
 constexpr float brightest = 1e30f;
 
@@ -26,6 +29,11 @@ std::string name_of(const Shape& shape) {
   return shape.name.empty() ? kind : fmt::format("{} '{}'", kind, shape.name);
 }
 
+bool lacks_up(const CameraSettings& camera) {
+  const Vec3d view = Vec3d(camera.look_at) - Vec3d(camera.position), up(camera.up);
+  return !(glm::length(cross(view, up)) > 1e-6 * glm::length(view) * glm::length(up));
+}
+
 // Directions are added up from these before they are made of unit length.
 std::optional<std::string> fault_of(const CameraSettings& camera) {
   const double eye = max_component(glm::abs(camera.position)), lens = camera.lens_radius;
@@ -34,11 +42,14 @@ std::optional<std::string> fault_of(const CameraSettings& camera) {
   const double distance = camera.focus_distance > 0
                               ? static_cast<double>(camera.focus_distance)
                               : glm::length(Vec3d(camera.look_at) - Vec3d(camera.position));
-  const double slope = std::tan(glm::radians(static_cast<double>(camera.fov)) / 2);
-  const double sideways = slope * (1 + glm::length(glm::dvec2(camera.shift)));
+  // To the edge of the image: of a perspective at distance 1, of parallel rays where they start.
+  const double edge = camera.orthographic_height > 0
+                          ? widest * static_cast<double>(camera.orthographic_height) / 2
+                          : std::tan(glm::radians(static_cast<double>(camera.fov)) / 2);
+  const double sideways = edge * (1 + glm::length(glm::dvec2(camera.shift)));
   if (lens <= farthest && lens <= farthest * distance && distance <= farthest && sideways <= farthest)
     return std::nullopt;
-  return "the camera's lens, fov or shift is beyond what rays can be made of";
+  return "the camera's lens, fov, orthographic height or shift is beyond what rays can be made of";
 }
 
 std::string CountedFault::text() const {

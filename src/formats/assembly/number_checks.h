@@ -11,6 +11,9 @@ namespace umbral {
 // "sphere 'ball'".
 std::string name_of(const Shape& shape);
 
+// Whether its `up` tells nothing: it is zero, or along the view.
+bool lacks_up(const CameraSettings& camera);
+
 // Why no rays can be made of it; its directions must be such.
 std::optional<std::string> fault_of(const CameraSettings& camera);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/kinds.h"
+#include "formats/assembly/number_checks.h"
 #include "formats/toml/light_reader.h"
 #include "formats/toml/parameter_reader.h"
 #include "formats/toml/shape_reader.h"
@@ -73,15 +74,13 @@ void SceneReader::read_camera() {
   ParameterReader parameters(table, nullptr);
   for_each_parameter(camera, parameters);
   table.finish();
-  const Vec3d view = Vec3d(camera.look_at) - Vec3d(camera.position);
-  const double sideways = glm::length(cross(view, Vec3d(camera.up)));
   const auto blame = [&](const char* key, const char* message) {
     const Value* value = table.find(key);
     context_.diagnostics.error(value ? context_.place(*value) : table.place(), message);
   };
-  if (view == Vec3d(0))
+  if (camera.look_at == camera.position)
     blame("look_at", "'look_at' of 'camera' is its 'position': there is no direction to look in");
-  else if (!(sideways > 1e-6 * glm::length(view) * glm::length(Vec3d(camera.up))))
+  else if (lacks_up(camera))
     blame("up", "'up' of 'camera' is along the view, or zero: it does not tell what is up");
   if (table.has("focus_distance") && !table.has("lens_radius"))
     context_.error(*table.find_entry("focus_distance"),
