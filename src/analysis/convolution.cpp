@@ -23,10 +23,10 @@ void filter_row(const float* in, int width, const Kernel& kernel, std::vector<fl
 }
 
 void filter_columns(const Plane& in, const Kernel& kernel, int y, float* sum) {
-  const int radius = static_cast<int>(kernel.size() / 2);
-  for (int k = -radius; k <= radius; ++k) {
-    const float weight = kernel[static_cast<std::size_t>(k + radius)];
-    if (weight != 0) add_multiple(sum, in.row(std::clamp(y + k, 0, in.height - 1)), weight, in.width);
+  int row = y - static_cast<int>(kernel.size() / 2);
+  for (const float weight : kernel) {
+    if (weight != 0) add_multiple(sum, in.row(std::clamp(row, 0, in.height - 1)), weight, in.width);
+    ++row;
   }
 }
 

@@ -103,7 +103,7 @@ void read_provenance(const ExrImage& exr, EstimatedFile& file) {
   file.integrator = text("integrator");
   file.sampler = text("sampler");
   std::istringstream seeds(text("seeds"));
-  for (std::uint64_t seed; seeds >> seed;) file.seeds.push_back(seed);
+  for (std::uint64_t seed = 0; seeds >> seed;) file.seeds.push_back(seed);
   if (const auto* const spp = exr.attribute<double>("umbral:samplesPerPixel")) file.samples_per_pixel = *spp;
   if (const auto* const replicates = exr.attribute<int>("umbral:replicates"))
     file.image.replicates = *replicates;

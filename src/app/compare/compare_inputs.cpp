@@ -170,6 +170,7 @@ ComparedPair pair_of_files(const CompareInputs& inputs, const Source& a, const S
   parallel_for(paths.size(), [&](std::size_t i) { files[i] = read_estimated_file(paths[i], inputs.layer); });
   require_same_size(files);
   std::vector<const EstimatedFile*> all;
+  all.reserve(files.size());
   for (const EstimatedFile& file : files) all.push_back(&file);
   require_independent(all);
   const auto middle = files.begin() + std::ssize(a.files);

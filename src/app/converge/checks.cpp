@@ -162,6 +162,7 @@ class Finder {
 
 void require_variants_of(const Expectations& expectations, const std::vector<Variant>& variants) {
   std::vector<std::string> names;
+  names.reserve(variants.size());
   for (const Variant& variant : variants) names.push_back(variant.name);
   for (const std::string& text : expectations.faster) {
     const std::string name = parsed_speed(text).name;
