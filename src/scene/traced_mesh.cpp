@@ -1,30 +1,23 @@
 // Packing vertices and triangles.
 #include "scene/traced_mesh.h"
 
-#include <bit>
-
 namespace umbral {
 namespace {
 
-// The power of two that brings `x` > 0 into [1, 2), or near it for the smallest and largest numbers.
-float normalising_power(float x) {
-  const std::uint32_t exponent = std::bit_cast<std::uint32_t>(x) & 0x7f800000u;
-  return std::bit_cast<float>(glm::clamp(0x7f000000u - exponent, 0x00800000u, 0x7f000000u));
-}
-
-// `sliver`: the products of the edges that make the normal round by their size, which in slivers is far above that of
-// the normal. Scaled by a power of two first, which is exact: tiny edges then keep clear of denormal numbers, and a scene of
-// another size has the same normals to the bit.
+// In double, where the differences of the edges' products hardly round: in float the normal of a sliver may come out as nothing
+// at all. And a scene of another size, by a power of two, has the same normals to the bit. A triangle without area is never hit.
+// `sliver`: the ray traversal's own products of edges round by their size, which in slivers is far above that of the normal.
 Triangle made_triangle(const glm::uvec3& vertices, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a;
-  const Vec3 extent = glm::max(glm::abs(ab), glm::abs(ac));
-  const float scale = normalising_power(max_component(extent));
-  const Vec3 n = cross(ab * scale, ac * scale), e = extent * scale;
-  const float inverse_length = 1 / glm::length(n);
-  constexpr float relative = 4 * std::numeric_limits<float>::epsilon();
+  const Vec3d ab = Vec3d(b) - Vec3d(a), ac = Vec3d(c) - Vec3d(a);
+  const Vec3d n = cross(ab, ac), e = glm::max(glm::abs(ab), glm::abs(ac));
   const Vec3 largest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
-  return {vertices, max_component(largest), n * inverse_length,
-          relative * e.x * e.y * e.z * inverse_length / scale};
+  Triangle triangle{vertices, max_component(largest), {0, 0, 1}, 0};
+  const double length = glm::length(n);
+  if (!(length > 0)) return triangle;
+  constexpr double relative = 4 * std::numeric_limits<float>::epsilon();
+  triangle.n = Vec3(n / length);
+  triangle.sliver = static_cast<float>(relative * e.x * e.y * e.z / length);
+  return triangle;
 }
 
 }  // namespace

@@ -171,7 +171,7 @@ void expect_samples_find_what_rays_meet(const Looks& looks, std::uint64_t seed) 
         const bool seen = sample && !scene.occluded({p, sample->target - p, 0, 1});
         by_light.add(seen ? sample->radiance.g / sample->pdf : 0);
       }
-      for (int k = 0; k < 120'000; ++k) {
+      for (int k = 0; k < 160'000; ++k) {
         const double h = random.between(0, one_minus_cos), phi = random.between(0, 2 * pi_d);
         const double r = std::sqrt(h * (2 - h));
         const Ray ray{p, frame.to_world(Vec3(Vec3d(r * std::cos(phi), r * std::sin(phi), 1 - h)))};
