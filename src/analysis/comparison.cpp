@@ -22,10 +22,7 @@ Change change(const Region& region, const MeanEstimate& a, const MeanEstimate& b
   if (!known || a.value == 0) return c;
   MeanEstimate of_a = a;
   of_a.variance *= sqr(ratio);
-  const MeanEstimate d = difference(of_a, b);
-  c.half_width = d.variance > 0 ? student_quantile(0.95, d.degrees_of_freedom) * std::sqrt(d.variance) /
-                                      std::abs(a.value)
-                                : 0;
+  c.half_width = difference(of_a, b).error.half_width(0.95) / std::abs(a.value);
   return c;
 }
 
@@ -47,7 +44,7 @@ std::optional<UniformityTest> uniformity_of(const Judgement& judgement) {
   std::vector<double> p;
   for (std::size_t i = 0; i < judgement.statistics.size(); ++i) {
     const Statistic& s = judgement.statistics[i];
-    if (s.kind == StatisticKind::tile && i % 3 == 1 && s.standard_error > 0) p.push_back(s.p);
+    if (s.kind == StatisticKind::tile && i % 3 == 1 && s.error.standard_error() > 0) p.push_back(s.p);
   }
   if (p.size() < 16) return std::nullopt;
   return test_of_uniformity(std::move(p));

@@ -1,4 +1,4 @@
-// Student's t on every statistic, Holm's procedure over all of them, then power and skewness.
+// One test of every statistic, Holm's procedure over all of them, then power and skewness.
 #include "analysis/equality.h"
 
 #include <algorithm>
@@ -15,38 +15,35 @@ namespace {
 
 constexpr const char* channel_names[] = {"red", "green", "blue"};
 
-// How many standard errors a difference must be to be found with probability 0.9 by a test of size `alpha`, taken to
-// have `tails` tails.
-double reach(double alpha, int tails, double dof) {
-  return student_quantile(1 - 2 * alpha / tails, dof) + student_quantile(0.8, dof);
+// How large a difference must be to be found with probability 0.9 by a test of size `alpha`, taken to have `tails` tails.
+double reach(double alpha, int tails, const BehrensFisher& error) {
+  return error.half_width(1 - 2 * alpha / tails) + error.half_width(0.8);
 }
 
 // Two-sided; below the resolution nothing is a difference.
 void test_mean(Statistic& s, double alpha, double resolution) {
   const double unit = std::abs(s.expected);
   const double excess = std::max(0.0, std::abs(s.measured - s.expected) - resolution * unit);
-  s.p = excess == 0            ? 1
-        : s.standard_error > 0 ? student_two_sided_p(excess / s.standard_error, s.degrees_of_freedom)
-                               : 0;
-  if (s.standard_error <= resolution * unit) s.skewness = 0;  // of rounding: of no interest
-  if (s.standard_error == 0)
+  const double standard_error = s.error.standard_error();
+  s.p = s.error.two_sided_p(excess);
+  if (standard_error <= resolution * unit) s.skewness = 0;  // of rounding: of no interest
+  if (standard_error == 0)
     s.mde = resolution;
   else
-    s.mde = s.scale > 0 ? reach(alpha, 2, s.degrees_of_freedom) * s.standard_error / s.scale + resolution
-                        : infinity;
+    s.mde = s.scale > 0 ? reach(alpha, 2, s.error) / s.scale + resolution : infinity;
 }
 
 // One-sided: (μ_b − μ_a)² is never below 0.
 void test_squared_bias(Statistic& s, double alpha, double resolution) {
   const double excess = s.measured - sqr(resolution * s.scale);
-  if (s.standard_error == 0) {
+  if (s.error.standard_error() == 0) {
     s.p = excess > 0 ? 0 : 1;
     s.mde = resolution;
     return;
   }
-  const double tail = student_two_sided_p(excess / s.standard_error, s.degrees_of_freedom) / 2;
+  const double tail = s.error.two_sided_p(std::abs(excess)) / 2;
   s.p = excess > 0 ? tail : 1 - tail;
-  s.mde = std::sqrt(reach(alpha, 1, s.degrees_of_freedom) * s.standard_error) / s.scale;
+  s.mde = std::sqrt(reach(alpha, 1, s.error)) / s.scale;
 }
 
 // `alpha` is that of the most demanding step of Holm's procedure.
@@ -106,7 +103,7 @@ std::string Judgement::text() const {
     const Statistic& s = statistics[rejected[i]];
     text += fmt::format(
         "\n    {}: measured {:.8g}, expected {:.8g} ({:+.4g} %), standard error {:.2g}, p {:.2g}", s.name,
-        s.measured, s.expected, 100 * (s.measured / s.expected - 1), s.standard_error, s.p);
+        s.measured, s.expected, 100 * (s.measured / s.expected - 1), s.error.standard_error(), s.p);
   }
   if (rejected.size() > 5) text += fmt::format("\n    and {} more", rejected.size() - 5);
   return text;
@@ -114,10 +111,9 @@ std::string Judgement::text() const {
 
 Statistic statistic(std::string name, StatisticKind kind, const MeanEstimate& expected,
                     const MeanEstimate& measured) {
-  const MeanEstimate d = difference(expected, measured);
+  const Difference d = difference(expected, measured);
   Statistic s{std::move(name), kind, expected.value, measured.value};
-  s.standard_error = std::sqrt(d.variance);
-  s.degrees_of_freedom = d.degrees_of_freedom;
+  s.error = d.error;
   s.skewness = d.skewness;
   s.scale = std::abs(expected.value);
   return s;
@@ -166,8 +162,7 @@ Judgement judged(const EstimatedImage& expected, const EstimatedImage& measured,
   for (Statistic& s : statistics) s.scale = std::max(s.scale, settings.scale_floor * level);
   if (const auto bias = squared_bias(expected, measured)) {
     Statistic s{"squared bias", StatisticKind::squared_bias, 0, bias->value};
-    s.standard_error = bias->standard_error;
-    s.degrees_of_freedom = bias->degrees_of_freedom;
+    s.error = {.variance_b = sqr(bias->standard_error), .dof_b = bias->degrees_of_freedom};
     s.scale = level;
     statistics.push_back(std::move(s));
   }

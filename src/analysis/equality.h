@@ -29,10 +29,10 @@ struct Statistic {
   std::string name;
   StatisticKind kind = StatisticKind::image;
   double expected = 0, measured = 0;
-  double standard_error = 0, degrees_of_freedom = 0;  // of measured − expected
-  double skewness = 0;                                // of the replicates
-  double scale = 0;                                   // what mde is relative to, above 0 or nothing is seen
-  double p = 1;  // two-sided, but of a squared bias: that can only be too large
+  BehrensFisher error = {};  // of measured − expected
+  double skewness = 0;       // of the replicates
+  double scale = 0;          // what mde is relative to, above 0 or nothing is seen
+  double p = 1;              // two-sided, but of a squared bias: that can only be too large
   // The relative difference that is found in about nine cases of ten; of a squared bias the root of it.
   double mde = 0;
 };
@@ -41,7 +41,7 @@ enum class Outcome {
   agrees,
   differs,
   underpowered,  // a difference that matters could go unseen
-  skewed,        // Student's t does not hold for these replicates
+  skewed,        // these replicates are not as normal as the tests ask
 };
 
 const char* name_of(Outcome outcome);
@@ -64,7 +64,7 @@ Statistic statistic(std::string name, StatisticKind kind, const MeanEstimate& ex
 // Fills p and mde in and judges all of them together.
 Judgement judged(std::vector<Statistic> statistics, const EqualitySettings& settings);
 
-// Student's t tests by Welch of all regions in all channels. A side of a single replicate is taken for the truth.
+// Tests of all regions in all channels, each by the errors of both sides. A side of a single replicate is taken for the truth.
 Judgement judged(const Replicates& expected, const Replicates& measured, const EqualitySettings& settings);
 
 // The same, of which `regions` are tested: the whole image first. The squared bias is tested too where there is one.

@@ -1,4 +1,4 @@
-// Means of replicates, and Welch's difference of two.
+// Means of replicates, and the difference of two.
 #include "analysis/estimate.h"
 
 #include "core/statistics.h"
@@ -19,16 +19,10 @@ MeanEstimate mean_of(std::span<const double> replicates) {
   return estimate;
 }
 
-// ν = (V_a + V_b)² / (V_a²/ν_a + V_b²/ν_b)
-MeanEstimate difference(const MeanEstimate& a, const MeanEstimate& b) {
-  const double spread = sqr(a.variance) / a.degrees_of_freedom + sqr(b.variance) / b.degrees_of_freedom;
-  MeanEstimate d;
-  d.value = b.value - a.value;
-  d.variance = a.variance + b.variance;
-  d.degrees_of_freedom =
-      spread > 0 ? sqr(d.variance) / spread : std::min(a.degrees_of_freedom, b.degrees_of_freedom);
-  d.skewness = std::abs(a.skewness) > std::abs(b.skewness) ? a.skewness : b.skewness;
-  return d;
+Difference difference(const MeanEstimate& a, const MeanEstimate& b) {
+  return {b.value - a.value,
+          {a.variance, a.degrees_of_freedom, b.variance, b.degrees_of_freedom},
+          std::abs(a.skewness) > std::abs(b.skewness) ? a.skewness : b.skewness};
 }
 
 }  // namespace umbral

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "analysis/behrens_fisher.h"
 #include "core/math.h"
 
 namespace umbral {
@@ -17,8 +18,13 @@ struct MeanEstimate {
 // From independent replicates of the same thing; at least one, and a single one is taken for exact.
 MeanEstimate mean_of(std::span<const double> replicates);
 
-// b − a, whose degrees of freedom are theirs by [Satterthwaite 1946] and [Welch 1947]. Of the two skewnesses
-// the larger one is kept.
-MeanEstimate difference(const MeanEstimate& a, const MeanEstimate& b);
+// b − a.
+struct Difference {
+  double value = 0;
+  BehrensFisher error;
+  double skewness = 0;  // the larger of the two
+};
+
+Difference difference(const MeanEstimate& a, const MeanEstimate& b);
 
 }  // namespace umbral

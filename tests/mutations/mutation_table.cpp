@@ -17,7 +17,8 @@ using namespace umbral::test;
 double best_z(const Judgement& judgement) {
   double best = 0;
   for (const Statistic& s : judgement.statistics)
-    if (s.standard_error > 0) best = std::max(best, std::abs(s.measured - s.expected) / s.standard_error);
+    if (const double error = s.error.standard_error(); error > 0)
+      best = std::max(best, std::abs(s.measured - s.expected) / error);
   return best;
 }
 

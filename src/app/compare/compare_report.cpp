@@ -39,7 +39,8 @@ std::string statistic_text(const Statistic& s) {
     return fmt::format("squared bias: RMS difference of {} of the image's mean, p {:.2g}",
                        percent(std::sqrt(std::max(0.0, s.measured)) / s.scale), s.p);
   return fmt::format("{}: A {:.5g}, B {:.5g} ({:+.3g} %), standard error {:.2g}, p {:.2g}", s.name,
-                     s.expected, s.measured, 100 * (s.measured / s.expected - 1), s.standard_error, s.p);
+                     s.expected, s.measured, 100 * (s.measured / s.expected - 1), s.error.standard_error(),
+                     s.p);
 }
 
 std::string table_of_changes(const std::vector<Change>& changes) {
@@ -83,13 +84,14 @@ nlohmann::json json_of(const Change& c) {
 }
 
 nlohmann::json json_of(const Statistic& s) {
-  return {{"name", s.name},
-          {"a", s.expected},
-          {"b", s.measured},
-          {"standardError", s.standard_error},
-          {"degreesOfFreedom", json_number(s.degrees_of_freedom)},
-          {"p", s.p},
-          {"smallestDetectable", json_number(s.mde)}};
+  return {
+      {"name", s.name},
+      {"a", s.expected},
+      {"b", s.measured},
+      {"standardError", s.error.standard_error()},
+      {"degreesOfFreedom", nlohmann::json::array({json_number(s.error.dof_a), json_number(s.error.dof_b)})},
+      {"p", s.p},
+      {"smallestDetectable", json_number(s.mde)}};
 }
 
 nlohmann::json json_of(const Judgement& judgement) {
