@@ -17,12 +17,8 @@ std::string without_indices(const std::string& path) {
   std::string text;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool digit = path[i] >= '0' && path[i] <= '9';
-    if (!digit)
-      text += path[i];
-    else if (text.ends_with('/'))
-      text += '*';
-    else if (!text.ends_with("/*"))
-      text += path[i];
+    if (digit && text.ends_with("/*")) continue;
+    text += digit && text.ends_with('/') ? '*' : path[i];
   }
   return text;
 }

@@ -200,7 +200,7 @@ void collect_ids(const Element& element, std::map<std::string, const Element*>& 
 std::filesystem::path Document::find(const std::string& name) const {
   std::error_code absent;
   for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
-    const std::filesystem::path path = (*folder / name).lexically_normal();
+    std::filesystem::path path = (*folder / name).lexically_normal();
     if (std::filesystem::is_regular_file(path, absent)) return path;
   }
   return (folders.front() / name).lexically_normal();

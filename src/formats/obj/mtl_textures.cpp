@@ -28,7 +28,7 @@ bool looks_like_normals(const TextureImage& image) {
 std::filesystem::path MtlTextures::found(const MtlMap& map) {
   std::string name = map.file;
   std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path plain = (folder_ / map.file).lexically_normal();
+  std::filesystem::path plain = (folder_ / map.file).lexically_normal();
   const std::filesystem::path turned = (folder_ / name).lexically_normal();
   const std::filesystem::path beside = folder_ / std::filesystem::path(name).filename();
   std::error_code absent;
