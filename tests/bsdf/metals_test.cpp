@@ -20,10 +20,18 @@ TEST(Metals, ReflectWhatIsKnownOfThem) {
   EXPECT_NEAR(gold.b, 0.337, 2e-3);
   EXPECT_GT(min_component(silver), 0.9);
   EXPECT_TRUE(copper.r > copper.g && copper.g > copper.b);
+  const Spectrum brass = color(Metal::CuZn);
+  EXPECT_NEAR(brass.r, 0.896, 2e-3);
+  EXPECT_NEAR(brass.g, 0.781, 2e-3);
+  EXPECT_NEAR(brass.b, 0.414, 2e-3);
+  EXPECT_NEAR(color(Metal::MgO).g, sqr((1.74 - 1) / (1.74 + 1)), 1e-3);
+  EXPECT_NEAR(color(Metal::TiO2).g, sqr((2.95 - 1) / (2.95 + 1)), 2e-3);
   for (std::size_t i = 1; i < EnumNames<Metal>::names.size(); ++i) {
     const auto metal = static_cast<Metal>(i);
     EXPECT_LE(max_component(color(metal)), 1) << EnumNames<Metal>::names[i];
-    EXPECT_GT(min_component(color(metal)), 0.2) << EnumNames<Metal>::names[i];
+    if (metal != Metal::MgO) {
+      EXPECT_GT(min_component(color(metal)), 0.2) << EnumNames<Metal>::names[i];
+    }
     const ComplexIndex index = metal_index(metal);
     EXPECT_GT(min_component(fresnel_conductor(1e-4f, index.eta, index.k)), 0.995)
         << EnumNames<Metal>::names[i];
@@ -35,8 +43,11 @@ TEST(Metals, ReflectWhatIsKnownOfThem) {
       const float c = (static_cast<float>(k) + 0.5f) / 2000;
       mean += lobe.fresnel(c) * (2 * c / 2000);
     }
+    // What is clear, like MgO, reflects little until close to the edge, which two points see less of; only what is
+    // reflected twice, a hundredth there, depends on it.
+    const double allowed = metal == Metal::MgO ? 1e-2 : 8e-3;
     for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(lobe.fresnel_average()[c], mean[c], 8e-3) << EnumNames<Metal>::names[i];
+      EXPECT_NEAR(lobe.fresnel_average()[c], mean[c], allowed) << EnumNames<Metal>::names[i];
   }
 }
 
