@@ -1,6 +1,8 @@
 // A translation of everything that has a place.
 #include "scene/relative_to_camera.h"
 
+#include <algorithm>
+
 #include "scene/shape_bounds.h"
 
 namespace umbral {
@@ -10,6 +12,8 @@ double largest_coordinate(const Bounds& bounds, const Vec3d& shift) {
   const Vec3d far = glm::max(glm::abs(bounds.low + shift), glm::abs(bounds.high + shift));
   return std::max({far.x, far.y, far.z});
 }
+
+bool lies_in_space(const Texture& texture) { return (texture.needs() & texture_needs::position) != 0; }
 
 void move(Vec3& point, const Vec3d& shift) { point = Vec3(Vec3d(point) + shift); }
 
@@ -34,6 +38,7 @@ void move(LightKinds& light, const Vec3d& shift) {
 }  // namespace
 
 SceneDescription relative_to_camera(SceneDescription scene) {
+  if (std::any_of(scene.textures.begin(), scene.textures.end(), lies_in_space)) return scene;
   const Vec3d shift = -Vec3d(scene.camera.position);
   const Bounds bounds = bounds_of(
       scene.shapes,

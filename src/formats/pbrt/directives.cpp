@@ -232,6 +232,9 @@ void Directives::values(Parameter& parameter) {
 }
 
 void Directives::finish() {
+  if (textures_.laid_through_space() && !builder_.instances.empty())
+    builder_.approximates(*textures_.laid_through_space(),
+                          "textures that are laid through space: on instances they move with them");
   if (!in_world_) settings_.finish(integrators_);
   if (!saved_.empty() && !builder_.diagnostics.has_errors())
     builder_.diagnostics.warning({}, fmt::format("{} Begin without an End", saved_.size()));

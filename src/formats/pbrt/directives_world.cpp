@@ -11,7 +11,8 @@ void Directives::texture(const Token& at) {
   const std::string name = text(), type = text(), kind = text();
   if (type != "float" && type != "spectrum")
     fail(at, fmt::format("texture '{}' must be of type \"float\" or \"spectrum\", not \"{}\"", name, type));
-  textures_.define(tokens_->place(at), name, type == "float", kind, parameters(at, "texture"));
+  textures_.define(tokens_->place(at), name, type == "float", kind, parameters(at, "texture"),
+                   state_.to_world);
 }
 
 void Directives::material(const Token& at) {

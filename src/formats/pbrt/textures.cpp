@@ -9,8 +9,9 @@
 namespace umbral::pbrt_file {
 
 void Textures::define(const Place& place, const std::string& name, bool is_float, const std::string& kind,
-                      Parameters parameters) {
-  const auto [at, is_new] = definitions_[is_float].emplace(name, Definition{kind, std::move(parameters)});
+                      Parameters parameters, const Affine& to_world) {
+  const auto [at, is_new] =
+      definitions_[is_float].emplace(name, Definition{kind, std::move(parameters), to_world});
   if (!is_new) builder_.diagnostics.error(place, fmt::format("there is a texture '{}' already", name));
 }
 
@@ -60,9 +61,9 @@ Textured<Spectrum> Textures::convert(const std::string& name, Definition& defini
   if (definition.kind == "constant") {
     result = value(parameters, "value", white, is_float);
   } else if (definition.kind == "imagemap") {
-    result = image(name, parameters);
+    result = image(name, definition);
   } else if (definition.kind == "checkerboard") {
-    result = checker(name, parameters, is_float);
+    result = checker(name, definition, is_float);
   } else if (definition.kind == "scale") {
     result = scaled(name, parameters, is_float);
   } else if (definition.kind == "mix") {
@@ -75,19 +76,56 @@ Textured<Spectrum> Textures::convert(const std::string& name, Definition& defini
   return result;
 }
 
+// pbrt's round mappings have z for their axis. Its cylinder begins at −x, and its sphere has (s, t) = (θ/π, φ/2π), which
+// is uv as umbral's sphere has it after a quarter of a turn.
 template <class Map>
-void Textures::read_mapping(const Parameters& parameters, Map& texture) const {
+std::optional<ProjectedTexture> Textures::read_mapping(const Definition& definition, Map& texture) {
+  const Parameters& parameters = definition.parameters;
   const std::string mapping = parameters.text("mapping", "uv");
-  if (mapping != "uv")
-    parameters.lacks("mapping", fmt::format("texture coordinates by '{}' mapping", mapping));
-  parameters.ignore({"v1", "v2"});
-  texture.uv_scale = Vec2(parameters.number("uscale", 1), parameters.number("vscale", 1));
-  texture.uv_offset = Vec2(parameters.number("udelta", 0), parameters.number("vdelta", 0));
+  const Vec3d v1 = parameters.point("v1", {1, 0, 0}), v2 = parameters.point("v2", {0, 1, 0});
+  const Vec2 scale(parameters.number("uscale", 1), parameters.number("vscale", 1)),
+      offset(parameters.number("udelta", 0), parameters.number("vdelta", 0));
+  texture.uv_scale = mapping == "uv" ? scale : Vec2(1, 1);
+  if (mapping == "uv" || mapping == "planar") texture.uv_offset = offset;
+  if (mapping == "uv") return std::nullopt;
+  const Affine from_world = inverse(definition.to_world);
+  const auto row = [&](const Vec3d& axis) { return Vec3(from_world.transposed(axis)); };
+  ProjectedTexture result;
+  result.origin = Vec3(definition.to_world.offset);
+  if (mapping == "planar") {
+    result.x = row(v1);
+    result.y = row(v2);
+    result.z = row(cross(v1, v2));
+  } else if (mapping == "cylindrical" || mapping == "spherical") {
+    const bool is_sphere = mapping == "spherical";
+    const double start = is_sphere ? 1 : -1;
+    result.projection = is_sphere ? Projection::spherical : Projection::cylindrical;
+    result.x = row({0, start, 0});
+    result.y = row({0, 0, 1});
+    result.z = row({start, 0, 0});
+    if (is_sphere) {
+      texture.uv_rotation = 90;
+      texture.uv_offset = {1, 0};
+    }
+  } else {
+    parameters.error(*parameters.find("mapping"), fmt::format("there is no mapping '{}'", mapping));
+  }
+  if (!laid_) laid_ = parameters.find("mapping")->place;
+  return result;
 }
 
-Textured<Spectrum> Textures::image(const std::string& name, const Parameters& parameters) {
+Textured<Spectrum> Textures::laid(TextureId texture, std::optional<ProjectedTexture> projection) {
+  if (!projection) return {white, texture};
+  projection->texture = {white, texture};
+  Texture result{builder_.textures[index_of(texture)].name, std::move(*projection)};
+  result.prepare(builder_.textures);
+  return {white, builder_.add(std::move(result))};
+}
+
+Textured<Spectrum> Textures::image(const std::string& name, const Definition& definition) {
+  const Parameters& parameters = definition.parameters;
   ImageTexture texture;
-  read_mapping(parameters, texture);
+  auto projection = read_mapping(definition, texture);
   const Parameter* file = parameters.find("filename", {"string"}, 1);
   parameters.ignore({"maxanisotropy"});
   if (parameters.text("filter", "bilinear") == "point") texture.filter = TextureFilter::nearest;
@@ -110,7 +148,7 @@ Textured<Spectrum> Textures::image(const std::string& name, const Parameters& pa
     return {grey(0.5f)};
   }
   const auto id = with_image(name, std::move(texture), *file);
-  return id ? Textured<Spectrum>{white, *id} : Textured<Spectrum>{grey(0.5f)};
+  return id ? laid(*id, std::move(projection)) : Textured<Spectrum>{grey(0.5f)};
 }
 
 std::optional<TextureId> Textures::with_image(const std::string& name, ImageTexture texture,
@@ -133,9 +171,10 @@ std::optional<TextureId> Textures::normal_map(const Parameter& file) {
   return with_image("normals", std::move(texture), file);
 }
 
-Textured<Spectrum> Textures::checker(const std::string& name, const Parameters& parameters, bool is_float) {
+Textured<Spectrum> Textures::checker(const std::string& name, const Definition& definition, bool is_float) {
+  const Parameters& parameters = definition.parameters;
   CheckerTexture texture;
-  read_mapping(parameters, texture);
+  auto projection = read_mapping(definition, texture);
   if (parameters.integer("dimension", 2) != 2)
     parameters.lacks("dimension", "a checkerboard in three dimensions");
   const Textured<Spectrum> even = value(parameters, "tex1", white, is_float),
@@ -145,7 +184,7 @@ Textured<Spectrum> Textures::checker(const std::string& name, const Parameters& 
   texture.even = even.value;
   texture.odd = odd.value;
   texture.prepare();
-  return {white, builder_.add(Texture{name, std::move(texture)})};
+  return laid(builder_.add(Texture{name, std::move(texture)}), std::move(projection));
 }
 
 // An image by a number is that image with another factor.

@@ -98,8 +98,28 @@ std::optional<TextureId> TextureLibrary::find(const Value& value, const Paramete
   return id;
 }
 
+bool TextureLibrary::bends(const Texture& texture) const {
+  bool bends = false;
+  const auto look_at = [&](const ParameterInfo&, const auto& member) {
+    if constexpr (requires { member.is_constant(); })
+      bends = bends || (!member.is_constant() && this->bends(builder_.textures[index_of(member.map)]));
+  };
+  std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.bends(); }) bends = kind.bends();
+        for_each_parameter(kind, look_at);
+      },
+      texture.kind);
+  return bends;
+}
+
 // Normals that were decoded as colours lean the wrong way, which is easier said than seen.
 bool TextureLibrary::suits_normals(const Value& value, const Texture& texture) const {
+  if (bends(texture)) {
+    context_.error(
+        value, "a normal map cannot be laid round things: its normals stand along u and v of the surface");
+    return false;
+  }
   const auto* image = std::get_if<ImageTexture>(&texture.kind);
   if (!image || !image->image->is_srgb()) return true;
   context_.error(value,

@@ -38,6 +38,8 @@ class TextureLibrary {
   void load_tiles(ImageTexture& texture, const Place& place);
   bool keeps_range(const Value& value, const ParameterInfo& info, const Texture& texture,
                    bool as_color) const;
+  // Whether it is, or is made from, one whose uv is bent (scene/textures/projected_texture.h).
+  bool bends(const Texture& texture) const;
   bool suits_normals(const Value& value, const Texture& texture) const;
 
   const Context& context_;

@@ -12,6 +12,7 @@
 #include "scene/textures/marble_texture.h"
 #include "scene/textures/mix_texture.h"
 #include "scene/textures/noise_texture.h"
+#include "scene/textures/projected_texture.h"
 #include "scene/textures/ramp_texture.h"
 #include "scene/textures/scale_texture.h"
 #include "scene/textures/stone_texture.h"
@@ -21,9 +22,9 @@
 namespace umbral {
 
 // A new texture joins here.
-using TextureKinds =
-    std::variant<ImageTexture, CheckerTexture, ScaleTexture, MixTexture, RampTexture, DirectionTexture,
-                 VertexColorTexture, NoiseTexture, MarbleTexture, WoodTexture, StoneTexture>;
+using TextureKinds = std::variant<ImageTexture, CheckerTexture, ScaleTexture, MixTexture, RampTexture,
+                                  ProjectedTexture, DirectionTexture, VertexColorTexture, NoiseTexture,
+                                  MarbleTexture, WoodTexture, StoneTexture>;
 
 struct Texture {
   std::string name;
