@@ -132,6 +132,20 @@ TEST_F(Convert, ImagesOfLightsStayTurnedAsTheyWere) {
   EXPECT_TRUE(test::contains(made, "../lamp.ppm")) << made;
 }
 
+TEST_F(Convert, ThrownImagesAndTexturesThroughSpace) {
+  folder.write("lamp.ppm", "P3 2 2 255\n255 255 255  90 90 90\n30 30 30  255 0 0\n");
+  folder.write(
+      "s.pbrt",
+      "LookAt 0 0 4 0 0 0 0 1 0\nCamera \"perspective\"\nWorldBegin\nAttributeBegin Rotate 40 1 2 3\n"
+      "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"lamp.ppm\" \"string mapping\" "
+      "\"spherical\"\nTranslate 1 0 -4\nRotate 20 0 1 0\nScale -1 1 1\n"
+      "LightSource \"projection\" \"string filename\" \"lamp.ppm\" \"float scale\" 90\nAttributeEnd\n"
+      "LightSource \"infinite\" Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"sphere\"\n");
+  const std::string made = expect_same("s.pbrt");
+  for (const char* line : {"image_angle = 90", "type = \"projected\"", "projection = \"spherical\""})
+    EXPECT_TRUE(test::contains(made, line)) << made;
+}
+
 constexpr const char* tiled_scene = R"([materials.m]
 type = "matte"
 reflectance = { type = "image", file = "t.<UDIM>.tga", uv_scale = [2, 2], uv_offset = [0, -0.5] }

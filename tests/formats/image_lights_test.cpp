@@ -92,8 +92,9 @@ TEST(PbrtImageLight, MistakesAreToldWithTheirPlace) {
   };
   EXPECT_EQ(
       errors("LightSource \"infinite\" \"string filename\" \"flat.ppm\""),
-      "scene.pbrt:2:25: error: 'flat.ppm' is 2 × 1 pixels: images of pbrt-v4 lights are square, in "
-      "equal-area octahedral layout\n    2 | LightSource \"infinite\" \"string filename\" \"flat.ppm\"\n"
+      "scene.pbrt:2:25: error: 'flat.ppm' is 2 × 1 pixels: images of infinite and goniometric lights of "
+      "pbrt-v4 are square, in equal-area octahedral layout\n    2 | LightSource \"infinite\" \"string "
+      "filename\" \"flat.ppm\"\n"
       "      |                         ^");
   EXPECT_TRUE(contains(errors("LightSource \"infinite\" \"string filename\" \"black.ppm\""),
                        "the image is black: no light"));

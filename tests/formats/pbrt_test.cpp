@@ -407,7 +407,7 @@ TEST(Pbrt, WhatIsNotSupportedIsRefusedOrLeftOut) {
   const std::string text =
       "WorldBegin\nMakeNamedMedium \"fog\" \"string type\" \"homogeneous\"\n"
       "Shape \"curve\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 1 1 1 ]\n"
-      "MediumInterface \"fog\" \"\"\nMaterial \"hair\"\nShape \"sphere\"\nLightSource \"projection\"\n";
+      "MediumInterface \"fog\" \"\"\nMaterial \"hair\"\nShape \"sphere\"\nLightSource \"laser\"\n";
   const std::string refused = errors(folder, text);
   EXPECT_TRUE(contains(refused, "scene.pbrt:3:1: error: not supported: a shape of type 'curve'; --lenient"))
       << refused;

@@ -19,6 +19,7 @@ class Emitters {
  private:
   void point();
   void spot();
+  void throw_image(const Element& texture, const Affine& to_world, SpotLight& light);
   void directional();
   void constant();
   void environment_map();
@@ -64,8 +65,38 @@ void Emitters::spot() {
   const double full = properties_.number("beam_width", light.cone_angle * 0.75);
   light.edge_angle = static_cast<float>(glm::clamp(light.cone_angle - full, 0.0, 180.0));
   light.edge = SpotEdge::linear;
-  properties_.lacks("texture", "an image that a spot light throws");
-  builder_.lights.push_back(light);
+  if (const Element* texture = properties_.find("texture")) throw_image(*texture, to_world, light);
+  builder_.lights.push_back(std::move(light));
+}
+
+// Over the square around the cone, one unit ahead: u grows along +x, and v, down the image, along +y.
+void Emitters::throw_image(const Element& texture, const Affine& to_world, SpotLight& light) {
+  if (texture.type != "bitmap")
+    return builder_.lacks(texture.place, fmt::format("a spot light that throws a '{}'", texture.type));
+  const Properties image(builder_, document_, texture);
+  const std::string file = image.text("filename", "");
+  const bool raw = image.flag("raw", false);
+  image.lacks("to_uv", "a transform of the image that a spot light throws");
+  // What lies beyond the image is beyond the cone.
+  image.ignore({"wrap_mode", "accel", "format"});
+  if (image.text("filter_type", "bilinear") == "nearest")
+    builder_.approximates(texture.place,
+                          "texels of an image that a spot light throws, which are interpolated");
+  image.report_unknown();
+  if (!light_from_world(to_world))
+    builder_.lacks(properties_.place(), "an image of a light that is stretched by its transform");
+  if (!(light.cone_angle < 90))
+    return builder_.lacks(properties_.place(), "an image over half of all directions");
+  try {
+    light.image =
+        builder_.image(document_.find(file), raw ? ColorSpace::linear : ColorSpace::automatic, texture.place);
+  } catch (const SceneError& error) {
+    return builder_.diagnostics.error(texture.place, error);
+  }
+  light.file = file;
+  light.up = Vec3(to_world.vector({0, -1, 0}));
+  light.image_aspect = 1;
+  light.image_mirrored = to_world.determinant() < 0;
 }
 
 void Emitters::directional() {

@@ -46,14 +46,18 @@ std::shared_ptr<const TextureImage> grey_image(const TextureImage& image) {
 
 }  // namespace
 
-Spectrum Lights::intensity(const Parameters& parameters, const char* color, double power_of_unit) const {
+double Lights::scale(const Parameters& parameters, double power_of_unit) const {
   double scale = parameters.number("scale", 1) * exposure_;
   if (const double power = parameters.number("power", -1); power > 0) scale *= power / power_of_unit;
   if (!(scale >= 0) || !std::isfinite(static_cast<float>(scale))) {
     builder_.diagnostics.error(parameters.place(), "a light's scale must be a number, 0 or above");
     scale = 0;
   }
-  return static_cast<float>(scale) * light(builder_, parameters, color);
+  return scale;
+}
+
+Spectrum Lights::intensity(const Parameters& parameters, const char* color, double power_of_unit) const {
+  return static_cast<float>(scale(parameters, power_of_unit)) * light(builder_, parameters, color);
 }
 
 void Lights::add(const std::string& kind, const Parameters& parameters, const Affine& to_world,
@@ -67,6 +71,8 @@ void Lights::add(const std::string& kind, const Parameters& parameters, const Af
     add_distant(parameters, to_world);
   } else if (kind == "goniometric") {
     add_goniometric(parameters, to_world);
+  } else if (kind == "projection") {
+    add_projection(parameters, to_world);
   } else if (kind == "infinite") {
     add_infinite(parameters, to_world);
   } else {
@@ -111,18 +117,22 @@ void Lights::add_distant(const Parameters& parameters, const Affine& to_world) {
   builder_.lights.push_back(DistantLight{Vec3(glm::normalize(to_world.vector(to - from))), irradiance});
 }
 
-std::shared_ptr<const TextureImage> Lights::equal_area_image(const Parameter& file) {
+std::shared_ptr<const TextureImage> Lights::image(const Parameter& file) {
   try {
-    auto image =
-        builder_.image((folder_ / file.strings[0]).lexically_normal(), ColorSpace::automatic, file.place);
-    if (image->width() == image->height()) return image;
-    builder_.diagnostics.error(
-        file.place, fmt::format("'{}' is {} × {} pixels: images of pbrt-v4 lights are square, in equal-area "
-                                "octahedral layout",
-                                file.strings[0], image->width(), image->height()));
+    return builder_.image((folder_ / file.strings[0]).lexically_normal(), ColorSpace::automatic, file.place);
   } catch (const SceneError& error) {
     builder_.diagnostics.error(file.place, error);
+    return nullptr;
   }
+}
+
+std::shared_ptr<const TextureImage> Lights::equal_area_image(const Parameter& file) {
+  auto image = this->image(file);
+  if (!image || image->width() == image->height()) return image;
+  builder_.diagnostics.error(
+      file.place, fmt::format("'{}' is {} × {} pixels: images of infinite and goniometric lights of pbrt-v4 "
+                              "are square, in equal-area octahedral layout",
+                              file.strings[0], image->width(), image->height()));
   return nullptr;
 }
 
@@ -155,6 +165,35 @@ void Lights::add_goniometric(const Parameters& parameters, const Affine& to_worl
   light.file = file->strings[0];
   light.mapping = SphereMapping::equal_area;
   light.position = Vec3(to_world.offset);
+  builder_.lights.push_back(std::move(light));
+}
+
+// A slide along +z whose upper edge lies towards +y and whose right edge towards +x: a spot that ends at its corners.
+void Lights::add_projection(const Parameters& parameters, const Affine& to_world) {
+  const Parameter* file = parameters.find("filename", {"string"}, 1);
+  const double fov = parameters.number("fov", 90);
+  if (!file)
+    return builder_.diagnostics.error(parameters.place(), "a projection light wants a \"string filename\"");
+  if (!(fov > 0 && fov < 180))
+    return builder_.diagnostics.error(parameters.place(), "'fov' must be above 0 and below 180 degrees");
+  const std::optional<Mat3> turn = light_from_world(to_world);
+  if (!turn) builder_.lacks(parameters.place(), "an image of a light that is stretched by its transform");
+  SpotLight light;
+  light.image = image(*file);
+  light.file = file->strings[0];
+  light.position = Vec3(to_world.offset);
+  light.target = Vec3(to_world.point({0, 0, 1}));
+  light.up = Vec3(to_world.vector({0, 1, 0}));
+  light.image_angle = static_cast<float>(fov);
+  light.image_mirrored = to_world.determinant() > 0;
+  light.edge_angle = 0;
+  if (light.image)
+    light.cone_angle = std::nextafter(static_cast<float>(glm::degrees(light.slide().corner_angle())),
+                                      180.0f);  // corners included
+  const double power = light.image ? light.power() : 0;
+  light.intensity = grey(static_cast<float>(scale(parameters, power > 0 ? power : 1)));
+  if (!light.image || !turn) return;
+  if (!(power > 0)) return builder_.diagnostics.error(file->place, "the image is black: no light");
   builder_.lights.push_back(std::move(light));
 }
 

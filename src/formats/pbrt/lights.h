@@ -22,13 +22,18 @@ class Lights {
   void add_spot(const Parameters& parameters, const Affine& to_world);
   void add_distant(const Parameters& parameters, const Affine& to_world);
   void add_goniometric(const Parameters& parameters, const Affine& to_world);
+  void add_projection(const Parameters& parameters, const Affine& to_world);
   void add_infinite(const Parameters& parameters, const Affine& to_world);
   void add_environment(const Parameter& file, const Parameters& parameters, const Affine& to_world);
+  // Null where it cannot be read, which is told.
+  std::shared_ptr<const TextureImage> image(const Parameter& file);
   // An image in pbrt's equal-area layout, and the frame of one whose light stands so in the world; null where something is
   // wrong, which is told.
   std::shared_ptr<const TextureImage> equal_area_image(const Parameter& file);
   std::optional<Mat3> image_from_world(const Affine& to_world, const Place& place);
-  // The colour times `scale` and exposure; `power` is divided by `power_of_unit`, what the light would give at 1.
+  // `scale` times exposure; `power` is divided by `power_of_unit`, what the light would give at 1.
+  double scale(const Parameters& parameters, double power_of_unit) const;
+  // The same times the colour.
   Spectrum intensity(const Parameters& parameters, const char* color, double power_of_unit) const;
 
   SceneBuilder& builder_;

@@ -44,6 +44,15 @@ std::optional<LightFault> fault_of(const SpotLight& light) {
   if (light.position == light.target)
     return LightFault{"target", "'target' of 'spot' is its 'position': it has no axis"};
   if (is_black(light.intensity)) return LightFault{"intensity", "'intensity' of 'spot' is zero: no light"};
+  if (!light.image) return std::nullopt;
+  const Vec3d axis = Vec3d(light.target) - Vec3d(light.position), up(light.up);
+  if (!(glm::length(cross(axis, up)) > 1e-6 * glm::length(axis) * glm::length(up)))
+    return LightFault{"up",
+                      "'up' of 'spot' is along its axis, or zero: it does not tell how the image stands"};
+  if (light.image_angle == 0 && light.cone_angle >= 90)
+    return LightFault{"cone_angle",
+                      "an image covers less than 180°: with such a cone it wants 'image_angle'"};
+  if (!(light.power() > 0)) return LightFault{"file", "the image is black within the cone: no light"};
   return std::nullopt;
 }
 
@@ -82,24 +91,44 @@ void LightReader::read_light(const Value& item, const Value::Table& entries) {
   LightKinds light = *make_kind<LightKinds>(*kind);
   ParameterReader parameters(table, nullptr);
   std::visit([&](auto& value) { for_each_parameter(value, parameters); }, light);
-  auto* goniometric = std::get_if<GoniometricLight>(&light);
-  if (goniometric) {
+  if (auto* goniometric = std::get_if<GoniometricLight>(&light)) {
     goniometric->image_from_world = image_from_world(table);
-    for (const char* name : {"axis", "front"})
-      if (table.has("transform") && table.has(name))
-        context_.error(*table.find_entry(name), fmt::format("'{}' has no effect beside 'transform'", name));
+    tell_idle(table, {"axis", "front"}, table.has("transform"), "beside 'transform'");
+  } else if (const auto* spot = std::get_if<SpotLight>(&light)) {
+    tell_idle(table, {"up", "image_angle", "image_aspect", "image_mirrored"}, spot->file.empty(),
+              "on a spot without 'file'");
   }
   table.finish();
-  if (goniometric) {
-    if (goniometric->file.empty()) return;  // which is reported
-    goniometric->image = image(table, goniometric->file);
-    if (!goniometric->image) return;
-  }
+  if (!std::visit([&](auto& value) { return load_image(table, value); }, light)) return;
   if (const auto fault = std::visit([](const auto& value) { return fault_of(value); }, light)) {
     const Value* blamed = table.find(fault->key);
     return context_.diagnostics.error(blamed ? context_.place(*blamed) : table.place(), fault->message);
   }
   builder_.lights.push_back(light);
+}
+
+void LightReader::tell_idle(TableReader& table, std::initializer_list<const char*> names, bool idle,
+                            const char* why) const {
+  for (const char* name : names)
+    if (idle && table.has(name))
+      context_.error(*table.find_entry(name), fmt::format("'{}' has no effect {}", name, why));
+}
+
+template <class Light>
+bool LightReader::load_image(TableReader& table, Light& light) {
+  if constexpr (requires { light.image; }) {
+    if (light.file.empty())
+      return !std::is_same_v<Light, GoniometricLight>;  // whose missing file is reported
+    if constexpr (std::is_same_v<Light, SpotLight>)
+      if (is_ies(light.file)) {
+        context_.error(*table.find("file"),
+                       "an .ies file is no image to throw; it is for a light of type 'goniometric'");
+        return false;
+      }
+    light.image = image(table, light.file);
+    return light.image != nullptr;
+  }
+  return true;
 }
 
 std::shared_ptr<const TextureImage> LightReader::image(TableReader& table, const std::string& file) {
@@ -145,12 +174,9 @@ void LightReader::read_environment(TableReader& table) {
   light.image_from_world = image_from_world(table);
   table.finish();
   if (!claims_environment(table)) return;
-  if (table.has("rotation") && table.has("transform"))
-    context_.error(*table.find_entry("rotation"), "'rotation' has no effect beside 'transform'");
-  for (const char* name : {"rotation", "mapping", "transform"})
-    if (table.has(name) && !table.has("file"))
-      context_.error(*table.find_entry(name),
-                     fmt::format("'{}' has no effect on an environment without 'file'", name));
+  tell_idle(table, {"rotation"}, table.has("transform"), "beside 'transform'");
+  tell_idle(table, {"rotation", "mapping", "transform"}, !table.has("file"),
+            "on an environment without 'file'");
   if (!light.file.empty()) {
     light.image = image(table, light.file);
     if (!light.image) return;

@@ -15,26 +15,54 @@ float SpotLight::falloff(float cos_angle) const {
   return glm::smoothstep(end, full, cos_angle);
 }
 
+Slide SpotLight::slide() const {
+  const float angle = image_angle > 0 ? image_angle : 2 * cone_angle;
+  const double aspect = image_aspect > 0 ? static_cast<double>(image_aspect)
+                                         : static_cast<double>(image->width()) / image->height();
+  return {axis(), Vec3d(up), glm::radians(static_cast<double>(angle)), aspect, image_mirrored};
+}
+
 std::optional<LightSample> SpotLight::sample(const Vec3& p) const {
   const Vec3 to_light = position - p;
   const float distance = glm::length(to_light);
   if (!(distance > 0)) return std::nullopt;
   const Vec3 wi = to_light / distance;
-  const float share = falloff(dot(-wi, Vec3(glm::normalize(Vec3d(target) - Vec3d(position)))));
+  const float share = falloff(dot(-wi, Vec3(axis())));
   if (share == 0) return std::nullopt;
-  return LightSample{wi, intensity * (share / sqr(distance)), 1, true, distance, position};
+  Spectrum irradiance = intensity * (share / sqr(distance));
+  if (image) {
+    irradiance *= slide().towards(*image, -wi);
+    if (is_black(irradiance)) return std::nullopt;
+  }
+  return LightSample{wi, irradiance, 1, true, distance, position};
 }
 
+// Of the image, its brightest channels.
 LightBounds SpotLight::bounds() const {
-  LightBounds bounds = bounds_of_point(Vec3d(position), luminance(intensity));
+  const Spectrum most = image ? intensity * image->min_max().second : intensity;
+  LightBounds bounds = bounds_of_point(Vec3d(position), luminance(most));
   const float width = std::min(edge_angle, cone_angle);
-  bounds.normals = {glm::normalize(Vec3d(target) - Vec3d(position)),
-                    glm::radians(static_cast<double>(cone_angle - width))};
+  bounds.normals = {axis(), glm::radians(static_cast<double>(cone_angle - width))};
   bounds.fade = glm::radians(static_cast<double>(width));
   return bounds;
 }
 
+double SpotLight::power_of_image() const {
+  const Slide slide = this->slide();
+  const Vec3 along(axis());
+  double sum = 0;
+  for (int y = 0; y < image->height(); ++y)
+    for (int x = 0; x < image->width(); ++x) {
+      const double light = luminance(intensity * image->texel(x, y));
+      if (!(light > 0)) continue;
+      const auto [direction, solid_angle] = slide.texel(*image, x, y);
+      sum += light * solid_angle * falloff(dot(direction, along));
+    }
+  return sum;
+}
+
 double SpotLight::power() const {
+  if (image) return power_of_image();
   // ∫ falloff dω by Simpson's rule over the angle; it only weighs the choice among lights.
   constexpr int steps = 64;
   const double end = glm::radians(static_cast<double>(cone_angle));

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <string>
 #include <tuple>
 
 #include "core/parameters.h"
 #include "scene/lights/light_bounds.h"
 #include "scene/lights/light_sample.h"
+#include "scene/lights/slide.h"
 
 namespace umbral {
 
@@ -20,7 +23,8 @@ struct EnumNames<SpotEdge> {
   static constexpr std::array names{"smooth", "smooth_cosine", "linear"};
 };
 
-// A point light whose intensity is full within cone_angle − edge_angle of its axis and goes to zero at cone_angle.
+// A point light whose intensity is full within cone_angle − edge_angle of its axis and goes to zero at cone_angle. It may
+// throw an image, by which its intensity is multiplied.
 struct SpotLight {
   Vec3 position{0, 0, 0};
   Vec3 target{0, 0, -1};
@@ -28,6 +32,11 @@ struct SpotLight {
   float cone_angle = 30;
   float edge_angle = 5;
   SpotEdge edge = SpotEdge::smooth;
+  std::string file = {};
+  Vec3 up{0, 1, 0};
+  float image_angle = 0;
+  float image_aspect = 0;
+  bool image_mirrored = false;
 
   static constexpr const char* kind = "spot";
   static constexpr const char* doc = "a point that shines into a cone with a soft edge";
@@ -40,14 +49,32 @@ struct SpotLight {
                  parameter<&SpotLight::edge_angle>(
                      "edge_angle", "over which it fades, inside the cone, degrees", Range{0, 180}),
                  parameter<&SpotLight::edge>(
-                     "edge", "how it fades: by a smooth step of the angle or of its cosine, or straight")};
+                     "edge", "how it fades: by a smooth step of the angle or of its cosine, or straight"),
+                 parameter<&SpotLight::file>(
+                     "file", "an image that it throws, as a projector does, relative to the scene file"),
+                 parameter<&SpotLight::up>(
+                     "up", "where the image's upper edge lies, world; not along the axis of the light"),
+                 parameter<&SpotLight::image_angle>(
+                     "image_angle", "what the image's shorter side covers, degrees; 0: the whole cone",
+                     Range{0, 180, false, true}),
+                 parameter<&SpotLight::image_aspect>(
+                     "image_aspect", "width of the image by its height, as thrown; 0: as it is in its file",
+                     non_negative),
+                 parameter<&SpotLight::image_mirrored>(
+                     "image_mirrored", "changes left and right over, as seen from the light")};
 
+  std::shared_ptr<const TextureImage> image = nullptr;  // what the reader loads where there is a file
+
+  // Of the image; only where there is one.
+  Slide slide() const;
   std::optional<LightSample> sample(const Vec3& p) const;
   double power() const;
   LightBounds bounds() const;
 
  private:
   float falloff(float cos_angle) const;
+  Vec3d axis() const { return glm::normalize(Vec3d(target) - Vec3d(position)); }
+  double power_of_image() const;
 };
 
 }  // namespace umbral
