@@ -74,7 +74,7 @@ FileKind file_kind(const std::filesystem::path& path) {
 }
 
 std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem::path& path,
-                                   const Place& place, PlyColors colors) {
+                                   const Place& place, const PlyColors& colors) {
   const FileKind kind = file_kind(path);
   if (kind != FileKind::obj && kind != FileKind::ply && kind != FileKind::stl) {
     builder.diagnostics.error(

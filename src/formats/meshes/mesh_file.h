@@ -19,6 +19,6 @@ FileKind file_kind(const std::filesystem::path& path);
 // fails, which has been told, at `place` if the file cannot be opened.
 // `colors`: of a PLY file.
 std::optional<Mesh> read_mesh_file(SceneBuilder& builder, const std::filesystem::path& path,
-                                   const Place& place, PlyColors colors = PlyColors::of_vertices);
+                                   const Place& place, const PlyColors& colors = {});
 
 }  // namespace umbral

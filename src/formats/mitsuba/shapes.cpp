@@ -1,6 +1,8 @@
 // Conversion of shapes.
 #include "formats/mitsuba/shapes.h"
 
+#include <set>
+
 #include <fmt/format.h>
 
 #include "formats/assembly/place_shape.h"
@@ -43,7 +45,8 @@ void Shapes::add(const Element& element, ShapeList& shapes) {
   const Element* emitter = properties.object("emitter");
   const MaterialId material = bsdf ? materials_.convert(*bsdf) : materials_.standard();
   const Textured<Spectrum> emission = emitter ? this->emission(*emitter) : Textured<Spectrum>{black};
-  std::optional<ShapeKinds> read = this->read(properties, colors_of(material, emission), to_world);
+  std::optional<ShapeKinds> read =
+      this->read(properties, attribute_of(material, emission, element.place), to_world);
   const bool turned = properties.flag("flip_normals", false);
   for (const Element* medium : properties.objects("medium")) builder_.lacks(medium->place, "a medium");
   properties.ignore({"bsdf", "emitter", "silhouette_sampling_weight"});
@@ -72,12 +75,20 @@ Textured<Spectrum> Shapes::emission(const Element& emitter) {
   return emission;
 }
 
-PlyColors Shapes::colors_of(MaterialId material, const Textured<Spectrum>& emission) const {
-  bool of_faces = textures_.is_of_faces(emission.map);
+std::string Shapes::attribute_of(MaterialId material, const Textured<Spectrum>& emission,
+                                 const Place& place) {
+  std::set<std::string> asked;
+  const auto ask = [&](TextureId texture) {
+    if (const std::string* attribute = textures_.attribute(texture)) asked.insert(*attribute);
+  };
+  ask(emission.map);
   if (material != MaterialId::none)
-    for (const TexturedParameter& map : builder_.materials[index_of(material)].maps)
-      of_faces = of_faces || textures_.is_of_faces(map.texture);
-  return of_faces ? PlyColors::of_faces : PlyColors::of_vertices;
+    for_each_part(builder_.materials[index_of(material)], builder_.materials, [&](const Material& part) {
+      ask(part.alpha.map);
+      for (const TexturedParameter& map : part.maps) ask(map.texture);
+    });
+  if (asked.size() > 1) builder_.lacks(place, "two attributes of a mesh on one surface");
+  return asked.empty() ? "" : *asked.begin();
 }
 
 void Shapes::turn_over(Shape& shape, const Place& place) {
@@ -123,9 +134,10 @@ void Shapes::add_instance(const Properties& properties) {
   if (!builder_.objects[index_of(id)].content.shapes.empty()) builder_.instances.push_back({id, to_world});
 }
 
-std::optional<ShapeKinds> Shapes::read(const Properties& properties, PlyColors colors, Affine& to_world) {
+std::optional<ShapeKinds> Shapes::read(const Properties& properties, const std::string& attribute,
+                                       Affine& to_world) {
   const std::string& type = properties.element().type;
-  if (type == "obj" || type == "ply") return mesh_from_file(properties, colors);
+  if (type == "obj" || type == "ply") return mesh_from_file(properties, attribute);
   if (type == "serialized") return serialized(properties);
   if (type == "sphere") return sphere(properties, to_world);
   if (type == "rectangle") return Rectangle{};
@@ -161,13 +173,20 @@ std::optional<ShapeKinds> Shapes::cylinder(const Properties& properties) {
   return std::nullopt;
 }
 
-std::optional<Mesh> Shapes::mesh_from_file(const Properties& properties, PlyColors colors) {
+std::optional<Mesh> Shapes::mesh_from_file(const Properties& properties, const std::string& attribute) {
   const std::string& type = properties.element().type;
   const std::string file = properties.text("filename", "");
   const bool flat = properties.flag("face_normals", false);
   const bool turned_uv = properties.flag("flip_tex_coords", type == "obj");
-  std::optional<Mesh> mesh = read_mesh_file(builder_, document_.find(file), properties.place(), colors);
+  const bool of_faces = attribute.starts_with("face_");
+  const std::string name = attribute.substr(std::min(attribute.size(), attribute.find('_') + 1));
+  std::optional<Mesh> mesh = read_mesh_file(builder_, document_.find(file), properties.place(),
+                                            {of_faces, name == "color" ? "" : name});
   if (!mesh) return std::nullopt;
+  if (!attribute.empty() && mesh->colors.empty()) {
+    builder_.diagnostics.error(properties.place(), fmt::format("the mesh has no attribute '{}'", attribute));
+    return std::nullopt;
+  }
   if (flat) mesh->normals.clear();
   if (turned_uv)
     for (Vec2& uv : mesh->uvs) uv.y = 1 - uv.y;

@@ -19,12 +19,13 @@ class Shapes {
   void add_group(const Properties& properties);
   void add_instance(const Properties& properties);
   Textured<Spectrum> emission(const Element& emitter);
-  // Whose colours what is seen of a shape asks for.
-  PlyColors colors_of(MaterialId material, const Textured<Spectrum>& emission) const;
-  std::optional<ShapeKinds> read(const Properties& properties, PlyColors colors, Affine& to_world);
+  // The attribute of its mesh that what is seen of a shape asks for; empty where there is none. Two are told.
+  std::string attribute_of(MaterialId material, const Textured<Spectrum>& emission, const Place& place);
+  std::optional<ShapeKinds> read(const Properties& properties, const std::string& attribute,
+                                 Affine& to_world);
   std::optional<ShapeKinds> sphere(const Properties& properties, Affine& to_world);
   std::optional<ShapeKinds> cylinder(const Properties& properties);
-  std::optional<Mesh> mesh_from_file(const Properties& properties, PlyColors colors);
+  std::optional<Mesh> mesh_from_file(const Properties& properties, const std::string& attribute);
   std::optional<Mesh> serialized(const Properties& properties);
   void turn_over(Shape& shape, const Place& place);
 

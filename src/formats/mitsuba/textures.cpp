@@ -111,12 +111,19 @@ std::optional<TextureId> Textures::bitmap(const Properties& properties) {
 
 std::optional<TextureId> Textures::mesh_attribute(const Properties& properties) {
   const std::string name = properties.text("name", "");
-  if (name != "vertex_color" && name != "face_color") {
-    builder_.lacks(properties.place(), fmt::format("the mesh attribute '{}'", name));
+  if (!name.starts_with("vertex_") && !name.starts_with("face_")) {
+    builder_.diagnostics.error(
+        properties.place(),
+        fmt::format("the name of a mesh attribute begins with 'vertex_' or 'face_', not as '{}'", name));
     return std::nullopt;
   }
-  const TextureId id = builder_.add(Texture{properties.element().id, VertexColorTexture{}});
-  if (name == "face_color") of_faces_.insert(id);
+  TextureId id = builder_.add(Texture{properties.element().id, VertexColorTexture{}});
+  if (const double scale = properties.number("scale", 1); scale != 1) {
+    Texture scaled{properties.element().id, ScaleTexture{{white, id}, {grey(static_cast<float>(scale))}}};
+    scaled.prepare(builder_.textures);
+    id = builder_.add(std::move(scaled));
+  }
+  attributes_.emplace(id, name);
   return id;
 }
 

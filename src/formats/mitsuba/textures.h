@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 
 #include "formats/mitsuba/properties.h"
 
@@ -20,8 +19,11 @@ class Textures {
   // What an emitter gives.
   Textured<Spectrum> light(const Properties& properties, const std::string& name, const Spectrum& otherwise);
 
-  // Whether the texture is the colours of a mesh's faces.
-  bool is_of_faces(TextureId texture) const { return of_faces_.contains(texture); }
+  // The attribute of a mesh that the texture is, such as "face_color"; null for other textures.
+  const std::string* attribute(TextureId texture) const {
+    const auto found = attributes_.find(texture);
+    return found == attributes_.end() ? nullptr : &found->second;
+  }
 
   // None if it could not be read, which has been told.
   std::optional<TextureId> texture(const Element& element);
@@ -34,7 +36,7 @@ class Textures {
   SceneBuilder& builder_;
   const Document& document_;
   std::map<const Element*, std::optional<TextureId>> converted_;
-  std::set<TextureId> of_faces_;
+  std::map<TextureId, std::string> attributes_;
 };
 
 }  // namespace umbral::mitsuba_file

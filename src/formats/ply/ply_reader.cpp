@@ -34,28 +34,44 @@ std::size_t slot_of(const std::string& property) {
 }
 
 // Where the values of an element's properties go.
-struct Layout {
+class Layout {
+ public:
   std::vector<std::size_t> targets;  // a slot for each property
   std::array<bool, slots> has{};
-  PlyType color_type = PlyType::float32;
 
-  explicit Layout(const PlyElement& element) {
+  // `attribute`: what takes the place of the colours; empty for none.
+  Layout(const PlyElement& element, const std::string& attribute) : is_attribute_(!attribute.empty()) {
+    std::size_t next = 8;
     for (const PlyProperty& property : element.properties) {
-      targets.push_back(property.is_list ? no_slot : slot_of(property.name));
-      if (targets.back() != no_slot) has[targets.back()] = true;
-      if (targets.back() == 8) color_type = property.type;
+      std::size_t slot = property.is_list ? no_slot : slot_of(property.name);
+      if (is_attribute_ && slot >= 8 && slot <= 11) slot = no_slot;
+      if (!property.is_list && next <= 11 && is_part(property.name, attribute)) slot = next++;
+      targets.push_back(slot);
+      if (slot != no_slot) has[slot] = true;
+      if (slot == 8) type_ = property.type;
     }
   }
-  bool has_colors() const { return has[8] && has[9] && has[10]; }
+  bool has_colors() const { return has[8] && (is_attribute_ || (has[9] && has[10])); }
 
   // Colours as whole numbers are sRGB codes, as scanners and modellers write them; others are linear.
   Spectrum color(const std::array<float, slots>& v) const {
-    const float most = color_type == PlyType::uint8 ? 255 : color_type == PlyType::uint16 ? 65535 : 1;
+    const float most = type_ == PlyType::uint8 ? 255 : type_ == PlyType::uint16 ? 65535 : 1;
     Spectrum color(v[8], v[9], v[10], has[11] ? v[11] : most);
-    if (color_type == PlyType::float32 || color_type == PlyType::float64) return color;
+    if (!has[9]) color.g = color.b = color.r;
+    if (type_ == PlyType::float32 || type_ == PlyType::float64) return color;
     color /= most;
+    if (is_attribute_) return color;
     return {srgb_decode(color.r), srgb_decode(color.g), srgb_decode(color.b), color.a};
   }
+
+ private:
+  static bool is_part(const std::string& property, const std::string& attribute) {
+    return !attribute.empty() && property.size() == attribute.size() + 2 && property.starts_with(attribute) &&
+           property[attribute.size()] == '_';
+  }
+
+  bool is_attribute_;
+  PlyType type_ = PlyType::float32;
 };
 
 // Gives each triangle its own vertices, of its colour.
@@ -82,7 +98,7 @@ void split_triangles(Mesh& mesh, const std::vector<Spectrum>& colors) {
 template <class Values>
 class BodyReader {
  public:
-  BodyReader(Values values, PlyColors colors) : values_(std::move(values)), colors_(colors) {}
+  BodyReader(Values values, PlyColors colors) : values_(std::move(values)), colors_(std::move(colors)) {}
 
   Mesh read(const PlyHeader& header, std::vector<std::string>& warnings);
 
@@ -129,11 +145,12 @@ void BodyReader<Values>::skip_property(const PlyProperty& property, const PlyEle
 
 template <class Values>
 void BodyReader<Values>::read_vertices(const PlyElement& element) {
-  const Layout layout(element);
-  const auto& [targets, has, color_type] = layout;
+  const Layout layout(element, colors_.attribute);
+  const auto& targets = layout.targets;
+  const auto& has = layout.has;
   if (!has[0] || !has[1] || !has[2]) values_.fail("the vertices have no x, y and z");
   const bool normals = has[3] && has[4] && has[5], uvs = has[6] && has[7], uvs1 = has[12] && has[13];
-  const bool colors = colors_ == PlyColors::of_vertices && layout.has_colors();
+  const bool colors = !colors_.of_faces && layout.has_colors();
   mesh_.positions.reserve(element.count);
   if (normals) mesh_.normals.reserve(element.count);
   if (uvs) mesh_.uvs.reserve(element.count);
@@ -179,8 +196,8 @@ void BodyReader<Values>::read_faces(const PlyElement& element) {
   if (!indices) indices = element.find("vertex_index");
   if (!indices || !element.properties[*indices].is_list)
     values_.fail("the faces have no list 'vertex_indices'");
-  const Layout layout(element);
-  const bool colors = colors_ == PlyColors::of_faces && layout.has_colors();
+  const Layout layout(element, colors_.attribute);
+  const bool colors = colors_.of_faces && layout.has_colors();
   mesh_.triangles.reserve(element.count);
   std::array<float, slots> v{};
   for (std::uint64_t face = 0; face < element.count; ++face) {
@@ -222,7 +239,7 @@ Mesh BodyReader<Values>::read(const PlyHeader& header, std::vector<std::string>&
 }  // namespace
 
 Mesh read_ply(const std::shared_ptr<const SourceText>& source, std::vector<std::string>& warnings,
-              PlyColors colors) {
+              const PlyColors& colors) {
   TextCursor in(source->text());
   const PlyHeader header = parse_ply_header(in, source);
   switch (header.format) {
