@@ -6,6 +6,7 @@
 
 #include "formats/assembly/checks.h"
 #include "formats/assembly/framing.h"
+#include "formats/file_contents.h"
 #include "formats/meshes/mesh_file.h"
 #include "formats/mitsuba/reader.h"
 #include "formats/model_file.h"
@@ -46,6 +47,7 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
   SceneBuilder builder(diagnostics, files, options);
   const Place place{{path.string()}};
   const FileKind kind = file_kind(path);
+  if (const auto fault = fault_of_contents(path)) throw SceneError(place.where, *fault);
   if (!options.definitions.empty() && kind != FileKind::mitsuba)
     diagnostics.error(place, "-D has no effect: only Mitsuba files have parameters");
   if (kind == FileKind::toml) {

@@ -127,9 +127,9 @@ TEST(TomlErrors, LongLinesAreCutAroundTheCaret) {
 TEST(TomlErrors, AMissingSceneFileIsNamed) {
   const SceneFolder folder;
   EXPECT_EQ(folder.errors("none.toml"), "none.toml: error: cannot be read: No such file or directory");
-  EXPECT_EQ(
-      folder.errors(""),
-      ": error: the name of a scene file must end in .toml, .pbrt, .xml, .gltf, .glb, .obj, .ply or .stl");
+  EXPECT_EQ(folder.errors("none"),
+            "none: error: the name of a scene file must end in .toml, .pbrt, .xml, .gltf, .glb, .obj, .ply "
+            "or .stl");
 }
 
 }  // namespace

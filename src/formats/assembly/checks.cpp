@@ -99,6 +99,11 @@ void SceneChecks::check_materials() {
   }
 }
 
+// " 'name'", where it has one.
+std::string called(const Material& material) {
+  return material.name.empty() ? "" : fmt::format(" '{}'", material.name);
+}
+
 void SceneChecks::check_shape(const Shape& shape, const Place& place) {
   const Material& material = scene_.materials[index_of(shape.material)];
   const auto has_inside = [](const Material& part) {
@@ -110,14 +115,14 @@ void SceneChecks::check_shape(const Shape& shape, const Place& place) {
                       std::holds_alternative<Disk>(shape.kind) ||
                       std::holds_alternative<Cylinder>(shape.kind);
     if (open || (mesh && !is_closed(*mesh)))
-      warn(place, fmt::format("{} is of {} '{}' but is not closed: it has no inside", name_of(shape),
-                              kind_of(material.lobe), material.name));
+      warn(place, fmt::format("{} is of {}{} but is not closed: it has no inside", name_of(shape),
+                              kind_of(material.lobe), called(material)));
   }
   check_textures(shape, place, material);
   if (shape.emits() && !shines(shape))
     warn(place, fmt::format("the emission of {} is black", name_of(shape)));
   if (shape.emits() && !material.is_opaque())
-    warn(place, fmt::format("{} emits, but its material '{}' is not opaque", name_of(shape), material.name));
+    warn(place, fmt::format("{} emits, but its material{} is not opaque", name_of(shape), called(material)));
 }
 
 // What the textures of a shape ask for and its mesh has not.

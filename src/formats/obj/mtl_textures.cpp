@@ -50,6 +50,8 @@ std::shared_ptr<const TextureImage> MtlTextures::image(const MtlMap& map, ColorS
     entry->second = builder_.image(found(map), space, map.place);
   } catch (const SceneError& error) {
     builder_.diagnostics.warning(map.place, error);
+    builder_.left_out.push_back(fmt::format("{}:{}: the image '{}', which cannot be read",
+                                            map.place.where.file, map.place.where.line, map.file));
   }
   return entry->second;
 }

@@ -22,7 +22,13 @@ int within(const Parameters& parameters, const std::string& name, int otherwise,
 }  // namespace
 
 void Settings::film(const std::string& kind, const Parameters& parameters) {
-  if (kind != "rgb") builder_.lacks(parameters.place(), fmt::format("a film of type '{}'", kind));
+  if (kind == "image")
+    builder_.diagnostics.error(
+        parameters.place(),
+        "a film of type 'image' is of pbrt-v3; pbrt-v4 itself turns such a file into one "
+        "of its own: pbrt --upgrade old.pbrt > new.pbrt");
+  else if (kind != "rgb")
+    builder_.lacks(parameters.place(), fmt::format("a film of type '{}'", kind));
   result_.film.width = within(parameters, "xresolution", 1280, 1, 65536);
   result_.film.height = within(parameters, "yresolution", 720, 1, 65536);
   exposure_ = static_cast<float>(parameters.number("exposuretime", 1) * parameters.number("iso", 100) / 100);
