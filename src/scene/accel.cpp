@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/parallel.h"
 #include "scene/accel_embree.h"
 #include "scene/user_geometry.h"
 
@@ -73,6 +74,12 @@ struct Accel::Impl {
     return scene;
   }
 
+  // Embree keeps an error for the thread that it came up in.
+  void commit(RTCScene scene) const {
+    rtcCommitScene(scene);
+    require_success(device, "build the scene");
+  }
+
   void attach_pieces(RTCScene scene, const Group& group, std::vector<PieceContext>& pieces) {
     for (std::uint32_t id = 0; id < group.pieces.size(); ++id) {
       const PieceContext& context = pieces[id];
@@ -100,14 +107,14 @@ Accel::Accel(const Geometry& geometry, const std::vector<Material>& materials,
   }
   for (std::size_t i = 0; i < geometry.groups.size(); ++i)
     impl_->attach_pieces(impl_->new_scene(), geometry.groups[i], impl_->contexts[i]);
-  for (std::size_t i = 1; i < impl_->scenes.size(); ++i) rtcCommitScene(impl_->scenes[i]);
+  // Embree divides a large group among all threads, and small ones go side by side. The world has them all in it.
+  parallel_for(impl_->scenes.size() - 1, [&](std::size_t i) { impl_->commit(impl_->scenes[i + 1]); });
   impl_->first_instance = static_cast<std::uint32_t>(geometry.groups[0].pieces.size());
   std::uint32_t id = impl_->first_instance;
   for (const Placement& placement : geometry.instances)
     impl_->attach(impl_->scenes[0],
                   instance_geometry(impl_->device, impl_->scenes[placement.group], placement.to_world), id++);
-  rtcCommitScene(impl_->scenes[0]);
-  require_success(impl_->device, "build the scene");
+  impl_->commit(impl_->scenes[0]);
 }
 
 Accel::~Accel() = default;

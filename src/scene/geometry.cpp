@@ -1,15 +1,23 @@
 // Sorting shapes into groups and making surfaces from hits.
 #include "scene/geometry.h"
 
+#include "core/parallel.h"
 #include "scene/description.h"
 
 namespace umbral {
 namespace {
 
+// A mesh before it becomes a TracedMesh of the same number.
+struct PlacedMesh {
+  Mesh mesh;
+  Affine to_group;
+};
+
 // Puts one shape after the other into a group.
 class GroupBuilder {
  public:
-  GroupBuilder(Geometry& geometry, std::uint32_t group) : geometry_(geometry), group_(group) {}
+  GroupBuilder(Geometry& geometry, std::vector<PlacedMesh>& meshes, std::uint32_t group)
+      : geometry_(geometry), meshes_(meshes), group_(group) {}
 
   void add(Shape& shape) {
     Piece piece;
@@ -28,9 +36,8 @@ class GroupBuilder {
 
  private:
   void place_mesh(Mesh mesh, const Affine& to_group, Piece& piece) {
-    mesh.transform(to_group);
-    piece.mesh = static_cast<std::uint32_t>(geometry_.meshes.size());
-    geometry_.meshes.emplace_back(mesh);
+    piece.mesh = static_cast<std::uint32_t>(meshes_.size());
+    meshes_.push_back({std::move(mesh), to_group});
   }
 
   template <class Kind>
@@ -53,6 +60,7 @@ class GroupBuilder {
   }
 
   Geometry& geometry_;
+  std::vector<PlacedMesh>& meshes_;
   std::uint32_t group_;
   std::vector<Emitter> emitters_;
 };
@@ -197,12 +205,27 @@ LocalChart Geometry::chart(const Ray& ray, const Hit& hit) const {
   return chart;
 }
 
+namespace {
+
+std::vector<TracedMesh> traced(std::vector<PlacedMesh> meshes) {
+  std::vector<TracedMesh> traced(meshes.size());
+  parallel_for(meshes.size(), [&](std::size_t i) {
+    Mesh mesh = std::move(meshes[i].mesh);  // given back as soon as it is traced
+    mesh.transform(meshes[i].to_group);
+    traced[i] = TracedMesh(mesh);
+  });
+  return traced;
+}
+
+}  // namespace
+
 Geometry sorted_geometry(SceneDescription& description) {
   Geometry geometry;
   geometry.groups.resize(1 + description.objects.size());
+  std::vector<PlacedMesh> meshes;
   std::vector<std::vector<Emitter>> emitters;
   const auto build = [&](std::vector<Shape>& shapes, std::uint32_t group) {
-    GroupBuilder builder(geometry, group);
+    GroupBuilder builder(geometry, meshes, group);
     for (Shape& shape : shapes) builder.add(shape);
     emitters.push_back(builder.emitters());
     shapes.clear();
@@ -210,6 +233,7 @@ Geometry sorted_geometry(SceneDescription& description) {
   build(description.shapes, 0);
   for (std::size_t i = 0; i < description.objects.size(); ++i)
     build(description.objects[i].shapes, static_cast<std::uint32_t>(i + 1));
+  geometry.meshes = traced(std::move(meshes));
 
   geometry.emitters = emitters[0];
   for (const Instance& instance : description.instances) {
