@@ -1,7 +1,9 @@
 // What a caller asks of the readers of scene files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -18,6 +20,8 @@ struct ReadOptions {
   std::string environment;
   // Bytes that the texels of all images may take.
   std::uint64_t texture_memory = default_texture_memory;
+  // Told how many images are decoded, of how many: from any thread, but never from two at a time. May be empty.
+  std::function<void(std::size_t done, std::size_t count)> on_images = {};
 };
 
 }  // namespace umbral

@@ -45,6 +45,7 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
   Diagnostics diagnostics;
   diagnostics.name_file(path.string());
   SceneBuilder builder(diagnostics, files, options);
+  if (!options.environment.empty()) builder.expect_image(options.environment, ColorSpace::automatic);
   const Place place{{path.string()}};
   const FileKind kind = file_kind(path);
   if (const auto fault = fault_of_contents(path)) throw SceneError(place.where, *fault);

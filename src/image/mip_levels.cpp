@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/parallel.h"
+
 namespace umbral {
 namespace {
 
@@ -39,7 +41,8 @@ template <class Format>
 TexelGrid<Format> half_size(const TexelGrid<Format>& grid) {
   const int width = std::max(1, grid.width() / 2), height = std::max(1, grid.height() / 2);
   TexelGrid<Format> half(width, height);
-  for (int y = 0; y < height; ++y) {
+  parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
     const Cover rows(y, grid.height(), height);
     for (int x = 0; x < width; ++x) {
       const Cover columns(x, grid.width(), width);
@@ -49,7 +52,7 @@ TexelGrid<Format> half_size(const TexelGrid<Format>& grid) {
           sum += grid.at(i, j) * (rows.share(j) * columns.share(i));
       half.set(x, y, encoded<Format>(sum / (rows.all * columns.all)));
     }
-  }
+  });
   return half;
 }
 

@@ -1,4 +1,6 @@
 // Image files into texels, by OpenImageIO.
+#include "image/texture_loader.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -13,7 +15,6 @@
 
 #include "core/error.h"
 #include "image/pfm.h"
-#include "image/texture_image.h"
 
 namespace umbral {
 namespace {
@@ -143,6 +144,12 @@ std::unique_ptr<OIIO::ImageInput> opened(const std::string& path) {
   return input;
 }
 
+// Whether the numbers of the file are taken for sRGB codes.
+bool is_encoded(const OIIO::ImageSpec& spec, ColorSpace color_space) {
+  return color_space == ColorSpace::srgb ||
+         (color_space == ColorSpace::automatic && !spec.format.is_floating_point());
+}
+
 // As grid_of() will store them.
 std::size_t bytes_in_memory(const OIIO::ImageSpec& spec, bool srgb) {
   const std::size_t texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
@@ -174,8 +181,7 @@ TextureImage loaded(OIIO::ImageInput& input, std::size_t bytes, const std::strin
   const OIIO::ImageSpec spec = input.spec();
   require_sane(spec, path);
   require_plausible(input, bytes, path);
-  const bool srgb = color_space == ColorSpace::srgb ||
-                    (color_space == ColorSpace::automatic && !spec.format.is_floating_point());
+  const bool srgb = is_encoded(spec, color_space);
   try {
     if (memory && !memory->take(bytes_in_memory(spec, srgb)))
       return TextureImage(CachedTexels(memory->cache(), path, srgb));
@@ -191,6 +197,16 @@ TextureImage loaded(OIIO::ImageInput& input, std::size_t bytes, const std::strin
 }
 
 }  // namespace
+
+std::optional<std::size_t> texture_bytes(const std::string& path, ColorSpace color_space) {
+  if (is_pfm(path)) return std::nullopt;
+  try {
+    const OIIO::ImageSpec spec = opened(path)->spec();
+    return bytes_in_memory(spec, is_encoded(spec, color_space));
+  } catch (const SceneError&) {
+    return std::nullopt;
+  }
+}
 
 TextureImage load_texture_image(const std::string& path, ColorSpace color_space,
                                 std::vector<std::string>& repairs, TextureMemory* memory) {

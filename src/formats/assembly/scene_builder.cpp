@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "formats/assembly/material_parts.h"
+#include "image/texture_loader.h"
 
 namespace umbral {
 
@@ -30,15 +31,34 @@ MaterialId SceneBuilder::black_material() {
   return black_;
 }
 
+void SceneBuilder::expect_image(const std::filesystem::path& file, ColorSpace space) {
+  const std::string name = file.string();
+  if (images_ahead.knows({name, space})) return;
+  const std::optional<std::size_t> bytes = texture_bytes(name, space);
+  if (!bytes || !memory_ahead_.take(*bytes)) return;
+  images_ahead.expect({name, space}, [name, space, budget = *bytes] {
+    std::vector<std::string> repairs;
+    TextureImage image = load_texture_image(name, space, repairs);
+    return DecodedImage{std::move(image), std::move(repairs), budget};
+  });
+}
+
+DecodedImage SceneBuilder::read_image(const std::string& file, ColorSpace space) {
+  std::optional<DecodedImage> ahead = images_ahead.take({file, space});
+  if (ahead && texture_memory.take(ahead->budget)) return std::move(*ahead);
+  std::vector<std::string> repairs;
+  TextureImage image = load_texture_image(file, space, repairs, &texture_memory);
+  return {std::move(image), std::move(repairs)};
+}
+
 std::shared_ptr<const TextureImage> SceneBuilder::image(const std::filesystem::path& file, ColorSpace space,
                                                         const Place& place, bool with_levels) {
   std::shared_ptr<TextureImage>& image = images_[{file, space}];
   if (!image) {
     files.add_to_hash(file);
-    std::vector<std::string> repairs;
-    image =
-        std::make_shared<TextureImage>(load_texture_image(file.string(), space, repairs, &texture_memory));
-    for (const std::string& repair : repairs) diagnostics.warning(place, file.string() + ": " + repair);
+    DecodedImage read = read_image(file.string(), space);
+    image = std::make_shared<TextureImage>(std::move(read.image));
+    for (const std::string& repair : read.repairs) diagnostics.warning(place, file.string() + ": " + repair);
   }
   if (with_levels && image->level_count() == 1) {
     if (texture_memory.take(image->memory() / 3))

@@ -12,6 +12,7 @@
 #include "formats/input/diagnostics.h"
 #include "formats/input/input_files.h"
 #include "formats/read_options.h"
+#include "image/images_ahead.h"
 #include "scene/description.h"
 
 namespace umbral {
@@ -38,7 +39,9 @@ class SceneBuilder {
       : diagnostics(diagnostics_),
         files(files_),
         options(std::move(options_)),
-        texture_memory(static_cast<std::size_t>(options.texture_memory)) {}
+        texture_memory(static_cast<std::size_t>(options.texture_memory)),
+        images_ahead(options.on_images),
+        memory_ahead_(static_cast<std::size_t>(options.texture_memory)) {}
 
   Diagnostics& diagnostics;
   InputFiles& files;
@@ -72,7 +75,12 @@ class SceneBuilder {
   std::shared_ptr<const TextureImage> image(const std::filesystem::path& file, ColorSpace space,
                                             const Place& place, bool with_levels = false);
 
+  // Says that image() will be asked for that file. What was said until it first is decoded in parallel, as far as it fits
+  // into the memory of textures; this saves time and changes nothing else.
+  void expect_image(const std::filesystem::path& file, ColorSpace space);
+
   TextureMemory texture_memory;  // of all images
+  ImagesAhead images_ahead;      // of expect_image(), and those that lie in other files
 
   // Tells of something in a file that umbral does not know: "a medium". An error; where the options are lenient it is
   // left out instead, which becomes a warning and part of the image's provenance.
@@ -86,6 +94,9 @@ class SceneBuilder {
   SceneDescription finish();
 
  private:
+  DecodedImage read_image(const std::string& file, ColorSpace space);
+
+  TextureMemory memory_ahead_;  // of what is expected
   MaterialId black_ = MaterialId::none;
   std::map<std::pair<std::filesystem::path, ColorSpace>, std::shared_ptr<TextureImage>> images_;
 };

@@ -204,6 +204,21 @@ Looks::Looks(const Document& document, SceneBuilder& builder, const std::filesys
       report_(report),
       textures_(document, builder, folder, report) {}
 
+// Converts the material with an eye on its textures alone.
+void Looks::expect_images(Ref<List::materials> ref) {
+  if (!ref) return;
+  const MaterialData& data = document_.materials[ref.index];
+  Diagnostics nobody;
+  Report unheard(nobody, report_.file());
+  MaterialMaps maps(builder_, false, [&](const TextureInfo& info, const TextureUse& use) {
+    textures_.expect(info, use.space);
+    return std::optional<TextureId>();
+  });
+  Conversion conversion(data, "", maps, unheard);
+  conversion.emission();
+  if (!overrides_.find(data.name)) conversion.material();
+}
+
 const Look& Looks::of(const Primitive& primitive) {
   const bool vertex_colors = primitive.attributes.contains("COLOR_0");
   const auto key = std::pair(primitive.material.index, vertex_colors);
@@ -216,7 +231,9 @@ Look Looks::converted(Ref<List::materials> ref, bool vertex_colors) {
   const MaterialData data = ref ? document_.materials[ref.index] : MaterialData{};
   if (!data.name.empty()) names_.insert(data.name);
   const std::string path = ref ? fmt::format("/materials/{}", ref.index) : std::string();
-  MaterialMaps maps(builder_, textures_, vertex_colors, path);
+  MaterialMaps maps(builder_, vertex_colors, [&](const TextureInfo& info, const TextureUse& use) {
+    return textures_.texture(info, use, path);
+  });
   Conversion conversion(data, path, maps, report_);
   Look look;
   look.emission = conversion.emission();

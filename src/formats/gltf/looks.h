@@ -26,6 +26,9 @@ class Looks {
   Looks(const Document& document, SceneBuilder& builder, const std::filesystem::path& folder,
         const MaterialOverrides& overrides, Report& report);
 
+  // Has the images decoded that of() will ask for.
+  void expect_images(Ref<List::materials> ref);
+
   // Of the primitive's material, made once however often it is asked for.
   const Look& of(const Primitive& primitive);
 

@@ -10,10 +10,6 @@ Spectrum spectrum(const Rgb& c) {
 
 }  // namespace
 
-std::optional<TextureId> MaterialMaps::image(const TextureInfo& info, const TextureUse& use) {
-  return textures_.texture(info, use, path_);
-}
-
 TextureId MaterialMaps::product(TextureId texture, const Textured<Spectrum>& scale) {
   Texture result{"", ScaleTexture{{white, texture}, scale}};
   result.prepare(builder_.textures);

@@ -1,6 +1,8 @@
 // MaterialMaps: factors times textures times vertex colours, as the parameters of a glTF material are written.
 #pragma once
 
+#include <functional>
+
 #include "formats/gltf/texture_table.h"
 #include "scene/ids.h"
 
@@ -8,9 +10,12 @@ namespace umbral::gltf {
 
 class MaterialMaps {
  public:
-  // `path` is the material's. `vertex_colors`: the mesh has colours, which multiply what is painted.
-  MaterialMaps(SceneBuilder& builder, TextureTable& textures, bool vertex_colors, std::string path)
-      : builder_(builder), textures_(textures), vertex_colors_(vertex_colors), path_(std::move(path)) {}
+  // Makes a texture of the scene, or none.
+  using MakeTexture = std::function<std::optional<TextureId>(const TextureInfo& info, const TextureUse& use)>;
+
+  // `vertex_colors`: the mesh has colours, which multiply what is painted.
+  MaterialMaps(SceneBuilder& builder, bool vertex_colors, MakeTexture make_texture)
+      : builder_(builder), vertex_colors_(vertex_colors), make_texture_(std::move(make_texture)) {}
 
   // factor × texture (sRGB).
   Textured<Spectrum> color(const Rgb& factor, const TextureSlot& slot);
@@ -21,16 +26,17 @@ class MaterialMaps {
   Textured<float> number(double factor, const TextureSlot& slot, TextureChannel channel, double bias = 0);
   // The angles of the directions in red and green, plus so many degrees.
   std::optional<TextureId> directions(const TextureInfo& info, float rotation);
-  std::optional<TextureId> image(const TextureInfo& info, const TextureUse& use);
+  std::optional<TextureId> image(const TextureInfo& info, const TextureUse& use) {
+    return make_texture_(info, use);
+  }
 
  private:
   TextureId product(TextureId texture, const Textured<Spectrum>& scale);
   TextureId vertex_color(TextureChannel channel);
 
   SceneBuilder& builder_;
-  TextureTable& textures_;
   bool vertex_colors_;
-  std::string path_;
+  MakeTexture make_texture_;
 };
 
 }  // namespace umbral::gltf

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,7 @@ class Scene {
   bool is_world() const { return &shapes_ == &builder_.world; }
   std::vector<Affine> places_of(const PlacedNode& placed) const;
   bool is_own(const Node& node) const;
+  void expect_images(const std::vector<PlacedNode>& nodes);
   void add_mesh(const PlacedNode& placed);
   void add_shapes(const Node& node, const Affine& to_world, const std::vector<Affine>& joints,
                   ShapeList& shapes);
@@ -112,6 +114,18 @@ ObjectId Scene::object_of(const Node& node) {
   return objects_.emplace(node.mesh.index, id).first->second;
 }
 
+// Those of all meshes, so that they are decoded in parallel.
+void Scene::expect_images(const std::vector<PlacedNode>& nodes) {
+  std::set<std::uint32_t> meshes, materials;
+  for (const PlacedNode& placed : nodes) {
+    const Ref<List::meshes> mesh = document_.nodes[placed.node].mesh;
+    if (!mesh || !meshes.insert(mesh.index).second) continue;
+    for (const Primitive& primitive : document_[mesh].primitives)
+      if (materials.insert(primitive.material.index).second) looks_.expect_images(primitive.material);
+  }
+  builder_.images_ahead.decode_expected();
+}
+
 void Scene::add_mesh(const PlacedNode& placed) {
   const Node& node = document_.nodes[placed.node];
   if (node.skin) {  // joints alone place a skin
@@ -132,6 +146,7 @@ std::vector<std::string> Scene::add() {
   const std::vector<PlacedNode> nodes = placed_nodes(document_, report_);
   if (!document_.skins.empty()) transforms_ = node_transforms(document_);
   uses_.resize(document_.meshes.size());
+  expect_images(nodes);
   for (const PlacedNode& placed : nodes) {
     const Node& node = document_.nodes[placed.node];
     if (node.mesh && !is_own(node)) uses_[node.mesh.index] += places_of(placed).size();

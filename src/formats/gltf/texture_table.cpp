@@ -19,14 +19,6 @@ WrapV wrap_v_of(Whole code) {
   return code == 33648 ? WrapV::mirror : WrapV::repeat;
 }
 
-// A name for an image that is no file, whose ending tells its format.
-std::string name_of(const ImageData& image, const std::string& mime_type, const std::string& path) {
-  const std::size_t slash = mime_type.find('/');
-  std::string ending = slash == std::string::npos ? "" : mime_type.substr(slash + 1);
-  if (ending == "jpeg") ending = "jpg";
-  return fmt::format("{}{}.{}", path, image.name.empty() ? "" : " " + image.name, ending);
-}
-
 // glTF's place of a texture is offset + R(−θ) scale uv with v downwards [KHR_texture_transform]; with v upwards on both
 // sides that is R(θ) scale uv + offset' [derived], which is how textures are placed here.
 void place(ImageTexture& texture, const TextureTransform& t) {
@@ -42,33 +34,66 @@ Ref<List::images> TextureTable::source_of(const TextureData& texture) const {
   return texture.webp && texture.webp->source ? texture.webp->source : texture.source;
 }
 
+// That of an image beside the glTF file; none where it lies within.
+std::optional<std::filesystem::path> TextureTable::file_of(Ref<List::images> ref) const {
+  const ImageData& data = document_[ref];
+  if (data.view || data.uri.starts_with("data:")) return std::nullopt;
+  std::string fault;
+  return (folder_ / parse_uri(data.uri, fault)->file).lexically_normal();
+}
+
+// For an image within the glTF file; its ending tells the format.
+std::string TextureTable::name_of(Ref<List::images> ref, const std::string& mime_type) const {
+  const std::size_t slash = mime_type.find('/');
+  std::string ending = slash == std::string::npos ? "" : mime_type.substr(slash + 1);
+  if (ending == "jpeg") ending = "jpg";
+  const std::string& name = document_[ref].name;
+  return fmt::format("{}/images/{}{}.{}", report_.file(), ref.index, name.empty() ? "" : " " + name, ending);
+}
+
+// An image within the glTF file.
+DecodedImage TextureTable::decoded(Ref<List::images> ref, ColorSpace space) const {
+  const ImageData& data = document_[ref];
+  std::vector<std::string> repairs;
+  const auto load = [&](std::string_view bytes, const std::string& mime_type) {
+    TextureImage image = load_texture_image(bytes, name_of(ref, mime_type), space, repairs);
+    return DecodedImage{std::move(image), std::move(repairs)};
+  };
+  if (data.view) {
+    const BufferView& view = document_[data.view];
+    return load(document_.bytes[view.buffer.index].bytes.substr(view.byte_offset, view.byte_length),
+                data.mime_type);
+  }
+  std::string fault;
+  const auto uri = parse_uri(data.uri, fault);
+  return load(uri->bytes, uri->mime_type);
+}
+
+void TextureTable::expect(const TextureInfo& info, ColorSpace space) {
+  const Ref<List::images> ref = source_of(document_[info.texture]);
+  if (!ref) return;
+  if (const auto file = file_of(ref))
+    builder_.expect_image(*file, space);
+  else
+    builder_.images_ahead.expect({name_of(ref, ""), space},
+                                 [this, ref, space] { return decoded(ref, space); });
+}
+
 std::shared_ptr<const TextureImage> TextureTable::image(Ref<List::images> ref, ColorSpace space) {
   const auto [entry, is_new] = images_.try_emplace({ref.index, space}, nullptr);
   if (!is_new) return entry->second;
-  const ImageData& data = document_[ref];
   const std::string path = fmt::format("/images/{}", ref.index);
-  std::vector<std::string> repairs;
   try {
-    if (data.view) {
-      const BufferView& view = document_[data.view];
-      const std::string_view bytes =
-          document_.bytes[view.buffer.index].bytes.substr(view.byte_offset, view.byte_length);
-      entry->second = std::make_shared<TextureImage>(
-          load_texture_image(bytes, name_of(data, data.mime_type, report_.file() + path), space, repairs));
-    } else {
-      std::string fault;
-      const auto uri = parse_uri(data.uri, fault);
-      entry->second =
-          uri->is_data
-              ? std::make_shared<TextureImage>(load_texture_image(
-                    uri->bytes, name_of(data, uri->mime_type, report_.file() + path), space, repairs))
-              : builder_.image((folder_ / uri->file).lexically_normal(), space, {{report_.file()}});
-    }
+    if (const auto file = file_of(ref))
+      return entry->second = builder_.image(*file, space, {{report_.file()}});
+    std::optional<DecodedImage> ahead = builder_.images_ahead.take({name_of(ref, ""), space});
+    DecodedImage read = ahead ? std::move(*ahead) : decoded(ref, space);
+    for (const std::string& repair : read.repairs) report_.warning(path, repair);
+    entry->second = std::make_shared<TextureImage>(std::move(read.image));
   } catch (const SceneError& error) {
     const Diagnostic& first = error.diagnostics().front();
     report_.error(path, fmt::format("{}: {}", first.where.file, first.message));
   }
-  for (const std::string& repair : repairs) report_.warning(path, repair);
   return entry->second;
 }
 

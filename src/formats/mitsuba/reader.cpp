@@ -8,10 +8,32 @@
 #include "formats/mitsuba/shapes.h"
 
 namespace umbral::mitsuba_file {
+namespace {
+
+// The value of a plain property; empty where there is none.
+std::string value_of(const Element& element, const std::string& name) {
+  for (const Element& child : element.children)
+    if (child.name == name)
+      if (const auto value = child.attributes.find("value"); value != child.attributes.end())
+        return value->second;
+  return {};
+}
+
+// Those of all bitmaps and environments, so that they are decoded in parallel.
+void expect_images(SceneBuilder& builder, const Document& document, const Element& element) {
+  for (const Element& child : element.children) expect_images(builder, document, child);
+  if (element.type != "bitmap" && element.type != "envmap") return;
+  const bool linear = element.type == "bitmap" && value_of(element, "raw") == "true";
+  builder.expect_image(document.find(value_of(element, "filename")),
+                       linear ? ColorSpace::linear : ColorSpace::automatic);
+}
+
+}  // namespace
 
 void read_scene(const std::filesystem::path& path, const IntegratorKinds& integrators, SceneBuilder& builder,
                 SceneFile& result) {
   const Document document = read_document(builder, path, builder.options.definitions);
+  expect_images(builder, document, document.root);
   Settings settings(builder, document, result);
   Textures textures(builder, document);
   Materials materials(builder, document, textures);

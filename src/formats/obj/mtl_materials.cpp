@@ -17,10 +17,11 @@ std::string text(const Vec3& color) { return fmt::format("{} {} {}", color.r, co
 // One material on its way.
 class Conversion {
  public:
-  Conversion(SceneBuilder& builder, const std::filesystem::path& folder, const MtlMaterial& mtl)
-      : builder_(builder), mtl_(mtl), textures_(builder, folder, notes_) {}
+  Conversion(SceneBuilder& builder, const std::filesystem::path& folder, const MtlMaterial& mtl,
+             bool only_expects = false)
+      : builder_(builder), mtl_(mtl), textures_(builder, folder, notes_, only_expects) {}
 
-  MaterialId material();
+  Material material();
   Textured<Spectrum> emission();
   void report() const;
 
@@ -219,7 +220,7 @@ void Conversion::detail(Material& material) {
   material.bump_scale = map->bump;
 }
 
-MaterialId Conversion::material() {
+Material Conversion::material() {
   Material material{mtl_.name, Lambert{}, {}, {1}};
   const MtlKind kind = kind_of(mtl_);
   switch (kind) {
@@ -241,7 +242,7 @@ MaterialId Conversion::material() {
   if (kind != MtlKind::glass) material.alpha = alpha();
   detail(material);
   for (const std::string& statement : mtl_.ignored) note(fmt::format("'{}' is not used", statement));
-  return builder_.add(std::move(material), mtl_.place);
+  return material;
 }
 
 Textured<Spectrum> Conversion::emission() {
@@ -260,10 +261,17 @@ void Conversion::report() const {
 
 }  // namespace
 
+void expect_images(const MtlMaterial& mtl, std::optional<MaterialId> override, SceneBuilder& builder,
+                   const std::filesystem::path& folder) {
+  Conversion conversion(builder, folder, mtl, true);
+  if (!override) conversion.material();
+  conversion.emission();
+}
+
 MtlLook look_of(const MtlMaterial& mtl, std::optional<MaterialId> override, SceneBuilder& builder,
                 const std::filesystem::path& folder) {
   Conversion conversion(builder, folder, mtl);
-  MtlLook look{override ? *override : conversion.material()};
+  MtlLook look{override ? *override : builder.add(conversion.material(), mtl.place)};
   look.emission = conversion.emission();
   conversion.report();
   return look;

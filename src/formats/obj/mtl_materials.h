@@ -22,6 +22,10 @@ struct MtlLook {
   Textured<Spectrum> emission{black};
 };
 
+// Has the builder expect the images that look_of() will ask for.
+void expect_images(const MtlMaterial& mtl, std::optional<MaterialId> override, SceneBuilder& builder,
+                   const std::filesystem::path& folder);
+
 // Texture files are relative to `folder`. Where `override` stands in for the material only its emission is
 // read.
 MtlLook look_of(const MtlMaterial& mtl, std::optional<MaterialId> override, SceneBuilder& builder,

@@ -46,6 +46,10 @@ std::shared_ptr<const TextureImage> MtlTextures::image(const MtlMap& map, ColorS
   if (map.color_space == "linear") space = ColorSpace::linear;
   const auto [entry, is_new] = images_.try_emplace(&map, nullptr);
   if (!is_new) return entry->second;
+  if (only_expects_) {
+    builder_.expect_image(found(map), space);
+    return nullptr;
+  }
   try {
     entry->second = builder_.image(found(map), space, map.place);
   } catch (const SceneError& error) {

@@ -32,8 +32,9 @@ bool looks_like_normals(const TextureImage& image);
 // Reads images of MTL files and makes textures from them.
 class MtlTextures {
  public:
-  MtlTextures(SceneBuilder& builder, const std::filesystem::path& folder, Notes& notes)
-      : builder_(builder), folder_(folder), notes_(notes) {}
+  // `only_expects`: image() gives none, and has the builder expect it instead.
+  MtlTextures(SceneBuilder& builder, const std::filesystem::path& folder, Notes& notes, bool only_expects)
+      : builder_(builder), folder_(folder), notes_(notes), only_expects_(only_expects) {}
 
   // The image of the map; null where it cannot be read, which is told once. Paths with backslashes and paths
   // that only existed elsewhere are looked for by their last part.
@@ -49,6 +50,7 @@ class MtlTextures {
   SceneBuilder& builder_;
   const std::filesystem::path& folder_;
   Notes& notes_;
+  bool only_expects_;
   std::map<const MtlMap*, std::shared_ptr<const TextureImage>> images_;
 };
 

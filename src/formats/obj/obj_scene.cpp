@@ -27,6 +27,7 @@ class ObjScene {
   void read_libraries();
   void read_library(const std::string& name, const Place& place);
   MtlLook look(std::uint32_t material);
+  const MtlMaterial* in_library(const std::string& name) const;
   MtlLook new_look(const ObjName& name, std::optional<MaterialId> override);
   void add_mesh(ObjMesh mesh, const Affine& to_world, ShapeList& shapes);
 
@@ -50,6 +51,11 @@ std::vector<std::string> ObjScene::add(const Affine& to_world, ShapeList& shapes
     if (errors.any()) return {};
   }
   read_libraries();
+  for (const ObjMesh& mesh : meshes) {
+    const std::string& name = file_.materials[mesh.material].name;
+    if (const MtlMaterial* mtl = in_library(name))
+      expect_images(*mtl, overrides_.find(name), builder_, path_.parent_path());
+  }
   const std::size_t before = shapes.shapes.size();
   std::vector<std::string> names;
   for (ObjMesh& mesh : meshes) {
@@ -111,6 +117,12 @@ void ObjScene::read_library(const std::string& name, const Place& place) {
   }
 }
 
+const MtlMaterial* ObjScene::in_library(const std::string& name) const {
+  const auto found = std::find_if(library_.begin(), library_.end(),
+                                  [&](const MtlMaterial& material) { return material.name == name; });
+  return found == library_.end() ? nullptr : &*found;
+}
+
 MtlLook ObjScene::look(std::uint32_t material) {
   const auto known = looks_.find(material);
   if (known != looks_.end()) return known->second;
@@ -119,9 +131,8 @@ MtlLook ObjScene::look(std::uint32_t material) {
 }
 
 MtlLook ObjScene::new_look(const ObjName& name, std::optional<MaterialId> override) {
-  const auto found = std::find_if(library_.begin(), library_.end(),
-                                  [&](const MtlMaterial& material) { return material.name == name.name; });
-  if (found != library_.end()) return look_of(*found, override, builder_, path_.parent_path());
+  if (const MtlMaterial* mtl = in_library(name.name))
+    return look_of(*mtl, override, builder_, path_.parent_path());
   if (override) return {*override};
   std::vector<std::string> names;
   for (const MtlMaterial& material : library_) names.push_back(material.name);

@@ -6,13 +6,27 @@
 #include "formats/pbrt/directives.h"
 
 namespace umbral::pbrt_file {
+namespace {
+
+// So that the images of a file are decoded in parallel. What is wrong with them is told where they are used.
+void expect_image(SceneBuilder& builder, const std::filesystem::path& folder, const Parameters& parameters) {
+  const Parameter *file = parameters.find("filename"), *encoding = parameters.find("encoding");
+  if (!file || file->strings.empty()) return;
+  ColorSpace space = ColorSpace::automatic;
+  if (encoding && encoding->strings == std::vector<std::string>{"linear"}) space = ColorSpace::linear;
+  if (encoding && encoding->strings == std::vector<std::string>{"sRGB"}) space = ColorSpace::srgb;
+  builder.expect_image((folder / file->strings[0]).lexically_normal(), space);
+}
+
+}  // namespace
 
 void Directives::texture(const Token& at) {
   const std::string name = text(), type = text(), kind = text();
   if (type != "float" && type != "spectrum")
     fail(at, fmt::format("texture '{}' must be of type \"float\" or \"spectrum\", not \"{}\"", name, type));
-  textures_.define(tokens_->place(at), name, type == "float", kind, parameters(at, "texture"),
-                   state_.to_world);
+  Parameters given = parameters(at, "texture");
+  if (kind == "imagemap") expect_image(builder_, folder_, given);
+  textures_.define(tokens_->place(at), name, type == "float", kind, std::move(given), state_.to_world);
 }
 
 void Directives::material(const Token& at) {

@@ -5,6 +5,7 @@
 
 #include "core/kinds.h"
 #include "formats/assembly/number_checks.h"
+#include "formats/toml/image_files.h"
 #include "formats/toml/light_reader.h"
 #include "formats/toml/parameter_reader.h"
 #include "formats/toml/shape_reader.h"
@@ -201,6 +202,7 @@ void read_scene(const std::shared_ptr<const SourceText>& source, const std::file
                 const IntegratorKinds& integrators, SceneBuilder& builder, SceneFile& result) {
   const Value root = parse(source);
   const Context context{builder.diagnostics, source};
+  expect_images(root, folder, builder);
   SceneReader(context, root, folder, builder).read(integrators, result);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/kinds.h"
+#include "formats/toml/image_files.h"
 #include "formats/toml/parameter_reader.h"
 
 namespace umbral::toml_file {
@@ -53,16 +54,11 @@ bool TextureLibrary::check(const Texture& texture, TableReader& table) const {
 // Every file of the folder whose name has four digits in the mark's place.
 void TextureLibrary::load_tiles(ImageTexture& texture, const Place& place) {
   const std::filesystem::path path = (folder_ / texture.file).lexically_normal();
-  const std::string name = path.filename().string();
-  const bool marked = name.find(UdimTiles::mark) != std::string::npos;
   auto tiles = std::make_shared<UdimTiles>();
-  for (int number = UdimTiles::first; marked && number <= 9999; ++number) {
-    const std::string file = UdimTiles::file_of(name, number);
-    std::error_code absent;
-    if (!std::filesystem::exists(path.parent_path() / file, absent)) continue;
+  for (const auto& [number, file] : tile_files(path)) {
     tiles->images.resize(static_cast<std::size_t>(number - UdimTiles::first + 1));
-    tiles->images.back() = builder_.image(path.parent_path() / file, texture.color_space, place,
-                                          texture.filter == TextureFilter::mip);
+    tiles->images.back() =
+        builder_.image(file, texture.color_space, place, texture.filter == TextureFilter::mip);
     if (!texture.image) texture.image = tiles->images.back();
   }
   if (!texture.image)
