@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/error.h"
+#include "formats/model_file.h"
 
 namespace umbral {
 
@@ -57,6 +58,8 @@ CLI::Validator whole_number() {
           },
           ""};
 }
+
+std::string scene_help() { return "a .toml, .pbrt or Mitsuba .xml scene, or a model: " + model_endings(); }
 
 void add_read_options(CLI::App& command, ReadOptions& options) {
   command

@@ -28,6 +28,9 @@ CLI::Validator number_above(double low);
 /// CLI11 alone would read -1 as 2⁶⁴ − 1.
 CLI::Validator whole_number();
 
+/// What files can be rendered, for the help of commands.
+std::string scene_help();
+
 /// --lenient and what else the readers of scene files take.
 void add_read_options(CLI::App& command, ReadOptions& options);
 

@@ -10,8 +10,7 @@
 #include "app/compare/compare_inputs.h"
 #include "app/compare/compare_report.h"
 #include "app/exit_code.h"
-#include "app/interrupt.h"
-#include "app/progress_bar.h"
+#include "app/watched_render.h"
 #include "core/parallel.h"
 #include "image/atomic_file.h"
 
@@ -79,21 +78,9 @@ int exit_code_of(const Comparison& comparison) {
   return exit_not_reached;
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 std::optional<ComparedPair> read_or_render(const Arguments& arguments, const RegionsOf& regions) {
-  const InterruptGuard interrupt;
-  ProgressBar bar(0);
-  RenderHooks hooks;
-  if (!arguments.quiet) hooks.progress = [&](const RenderProgress& progress) { bar.show(progress); };
-  hooks.cancelled = &interrupt.flag();
-  std::optional<ComparedPair> pair = compared_pair(arguments.inputs, regions, hooks);
-  bar.finish();
-  return pair;
+  const WatchedRender watched(arguments.quiet);
+  return compared_pair(arguments.inputs, regions, watched.hooks());
 }
 
 // 16-bit numbers are rounded by up to 2⁻¹¹; a flat region may be off by that without any noise.
@@ -113,11 +100,15 @@ int command(const Arguments& arguments) {
     return regions_of(width, height, settings);
   };
   const std::optional<ComparedPair> pair = read_or_render(arguments, regions);
-  if (!pair) return exit_interrupted;
+  if (!pair) {
+    fmt::print(stderr,
+               "interrupted: a comparison takes all its renders, so there is none and nothing is written\n");
+    return exit_interrupted;
+  }
   settings.equality.resolution = resolution_of(*pair, settings.equality.resolution);
   const Comparison comparison = compared(pair->a.image, pair->b.image, settings);
   if (!arguments.json.empty())
-    write_text(arguments.json, comparison_json(comparison, *pair, settings).dump(2) + "\n");
+    write_file(arguments.json, comparison_json(comparison, *pair, settings).dump(2) + "\n");
   if (!arguments.page.empty()) write_page(arguments.page, comparison_page(comparison, *pair, settings));
   if (!arguments.quiet) fmt::print("{}", comparison_text(comparison, *pair, settings));
   return exit_code_of(comparison);

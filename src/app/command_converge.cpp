@@ -10,12 +10,10 @@
 #include "app/converge/report.h"
 #include "app/converge/sentences.h"
 #include "app/exit_code.h"
-#include "app/interrupt.h"
-#include "app/progress_bar.h"
+#include "app/watched_render.h"
 #include "core/names.h"
 #include "core/parallel.h"
 #include "image/atomic_file.h"
-#include "scene/relative_to_camera.h"
 
 namespace umbral {
 namespace {
@@ -121,29 +119,17 @@ std::vector<Variant> variants_of(const Arguments& arguments, LoadedScene& scene)
   return result;
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 ConvergeResult rendered(const Scene& scene, const std::vector<Variant>& all, const Arguments& arguments) {
-  const InterruptGuard interrupt;
-  ProgressBar bar(0);
-  RenderHooks hooks;
-  if (!arguments.quiet) hooks.progress = [&](const RenderProgress& progress) { bar.show(progress); };
-  hooks.cancelled = &interrupt.flag();
-  ConvergeResult result = converge(scene, all, arguments.settings, hooks);
-  bar.finish();
-  return result;
+  const WatchedRender watched(arguments.quiet);
+  return converge(scene, all, arguments.settings, watched.hooks());
 }
 
 void write_reports(const Arguments& arguments, const ConvergeReport& report) {
   if (!arguments.html.empty()) write_page(arguments.html, page_of(report));
   if (!arguments.svg.empty() && has_points(report.result))
-    write_text(arguments.svg, svg_file(samples_plot(report)));
-  if (!arguments.json.empty()) write_text(arguments.json, json_text(report));
-  if (!arguments.junit.empty()) write_text(arguments.junit, junit_xml(suite_of(report)));
+    write_file(arguments.svg, svg_file(samples_plot(report)));
+  if (!arguments.json.empty()) write_file(arguments.json, json_text(report));
+  if (!arguments.junit.empty()) write_file(arguments.junit, junit_xml(suite_of(report)));
 }
 
 bool enough_points(const ConvergeResult& result) {
@@ -159,7 +145,7 @@ int command(Arguments arguments) {
   arguments.settings.clock = arguments.clock == "cpu" ? Clock::cpu : Clock::wall;
   if (!arguments.target_error.empty())
     arguments.expectations.target_error = parsed_share(arguments.target_error, "--target-error");
-  LoadedScene loaded = load_scene(arguments.scene);
+  LoadedScene loaded = load_scene(arguments.scene, {}, arguments.quiet);
   const std::vector<Variant> all = variants_of(arguments, loaded);
   require_variants_of(arguments.expectations, all);
   arguments.settings.reference = reference_of(arguments, loaded, all[0].film);
@@ -167,11 +153,13 @@ int command(Arguments arguments) {
     refuse("--expect-equal: there is nothing to be equal to: give --reference, --oracle or several variants");
   for (const std::string& path : {arguments.html, arguments.svg, arguments.json, arguments.junit})
     if (!path.empty()) const AtomicFile probe(path);  // fails now rather than after a long render
-  const Scene scene(relative_to_camera(std::move(loaded.file.scene)));
+  const Scene scene = built_scene(std::move(loaded.file.scene), arguments.quiet);
 
   const ConvergeResult result = rendered(scene, all, arguments);
   if (result.curves[0].finest.mean.empty()) {
-    fmt::print(stderr, "interrupted before the first number of samples was done: there is nothing to tell\n");
+    fmt::print(stderr,
+               "interrupted before the first number of samples was done: there is nothing to tell, and "
+               "nothing is written\n");
     return exit_interrupted;
   }
   const Findings found = findings(result, arguments.settings, arguments.expectations);
@@ -184,7 +172,7 @@ int command(Arguments arguments) {
 }
 
 void add_render_options(CLI::App& converge, Arguments& a) {
-  converge.add_option("scene", a.scene, "a .toml scene, or an .obj or .ply model")->required();
+  converge.add_option("scene", a.scene, scene_help())->required();
   add_variant_options(converge, a.variants);
   converge.add_option("--replicates", a.settings.replicates, "independent renders of each number of samples")
       ->check(CLI::Range(16, 1024))
@@ -193,9 +181,10 @@ void add_render_options(CLI::App& converge, Arguments& a) {
       ->capture_default_str();
   converge
       .add_option("--time-limit", a.settings.seconds, "seconds: no more samples are begun that end later")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above(0));
   converge.add_option("--size", a.size, "image size, WIDTHxHEIGHT");
-  converge.add_option("--seed", a.settings.seed, "another seed gives independent renders");
+  converge.add_option("--seed", a.settings.seed, "another seed gives independent renders")
+      ->check(whole_number());
   converge.add_option("--threads", a.threads, "default: all")->check(CLI::Range(1, 4096));
   converge.add_option("--clock", a.clock, "wall, or cpu: of all threads, which other programs disturb less")
       ->check(CLI::IsMember({"wall", "cpu"}))

@@ -15,7 +15,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   CLI::App* convert = app.add_subcommand("convert", "write a scene of any format as a .toml scene");
   auto from = std::make_shared<std::string>(), to = std::make_shared<std::string>();
   auto options = std::make_shared<ReadOptions>();
-  convert->add_option("scene", *from, "the scene to read, of any format")->required();
+  convert->add_option("scene", *from, scene_help())->required();
   convert
       ->add_option("result", *to,
                    "the .toml scene to write; its meshes and images come into a folder beside it")
@@ -27,7 +27,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
     std::error_code absent;
     if (std::filesystem::equivalent(*from, path, absent))
       refuse("the result would take the place of the scene");
-    const LoadedScene loaded = load_scene(*from, *options);
+    const LoadedScene loaded = load_scene(*from, *options, false);
     for (const Diagnostic& warning : loaded.file.warnings) fmt::print(stderr, "{}\n", warning.text());
     write_scene(loaded, *from, path);
     fmt::print("{}: written\n", path.string());

@@ -194,7 +194,7 @@ void add_help_command(CLI::App& app, int& exit_code) {
   help->callback([arguments, &app, &exit_code] {
     exit_code = exit_success;
     for (const CLI::App* command : app.get_subcommands({}))
-      if (command->get_name() == arguments->group) return void(fmt::print("{}", command->help()));
+      if (command->get_name() == arguments->group) return void(fmt::print("{}", command->help("umbral")));
     print_help(arguments->group, arguments->kind, app);
   });
 }

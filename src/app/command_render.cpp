@@ -8,19 +8,16 @@
 #include "app/arguments.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/interrupt.h"
 #include "app/load_scene.h"
-#include "app/progress_bar.h"
 #include "app/render_report.h"
 #include "app/replay.h"
 #include "app/view_arguments.h"
+#include "app/watched_render.h"
 #include "core/names.h"
 #include "core/parallel.h"
-#include "formats/model_file.h"
 #include "image/atomic_file.h"
 #include "image/film_file.h"
 #include "image/png.h"
-#include "scene/relative_to_camera.h"
 
 namespace umbral {
 namespace {
@@ -104,14 +101,8 @@ void print_warnings(const SceneFile& file, bool quiet) {
 }
 
 RenderResult run(const Scene& scene, Integrator& integrator, const RenderOptions& options, bool quiet) {
-  const InterruptGuard interrupt;
-  ProgressBar bar(options.relative_error);
-  RenderHooks hooks;
-  if (!quiet) hooks.progress = [&](const RenderProgress& progress) { bar.show(progress); };
-  hooks.cancelled = &interrupt.flag();
-  RenderResult result = render(scene, integrator, options, hooks);
-  bar.finish();
-  return result;
+  const WatchedRender watched(quiet, options.relative_error);
+  return render(scene, integrator, options, watched.hooks());
 }
 
 // Writes both files and tells about them.
@@ -157,7 +148,8 @@ std::vector<std::string> bias_notes(const Integrator& integrator, const SceneDes
 int command(const Arguments& arguments) {
   std::optional<ThreadLimit> threads;
   if (arguments.threads > 0) threads.emplace(arguments.threads);
-  LoadedScene loaded = load_scene(arguments.scene, arguments.read);
+  const bool without_progress = arguments.quiet || arguments.json;
+  LoadedScene loaded = load_scene(arguments.scene, arguments.read, without_progress);
   apply_view(arguments.view, loaded.file);
   const std::string kind = chosen_integrator(arguments, loaded);
   Integrator& integrator = loaded.integrator(kind);
@@ -170,7 +162,7 @@ int command(const Arguments& arguments) {
                       loaded.file.left_out,
                       loaded.file.approximated};
   print_warnings(loaded.file, arguments.quiet);
-  const Scene scene(relative_to_camera(std::move(loaded.file.scene)));
+  const Scene scene = built_scene(std::move(loaded.file.scene), without_progress);
 
   if (!arguments.pixel.empty()) {
     const int x = arguments.pixel[0], y = arguments.pixel[1];
@@ -182,14 +174,13 @@ int command(const Arguments& arguments) {
   }
   if (arguments.sample) refuse("--sample needs --pixel x,y");
   { const AtomicFile probe(output_path(arguments).string()); }  // fails now rather than after hours
-  const RenderResult result = run(scene, integrator, job.options, arguments.quiet || arguments.json);
+  const RenderResult result = run(scene, integrator, job.options, without_progress);
   write_and_tell(arguments, job, result, scene);
   return exit_code_of(result, job.options);
 }
 
 void add_options(CLI::App& render, Arguments& a) {
-  render.add_option("scene", a.scene, "a .toml, .pbrt or Mitsuba .xml scene, or a model: " + model_endings())
-      ->required();
+  render.add_option("scene", a.scene, scene_help())->required();
   render.add_option("-o,--output", a.output,
                     "the EXR to write, a PNG beside it; default: the scene's name, here");
   render.add_option("--integrator", a.integrator, "how light is gathered, instead of what the scene says");

@@ -5,11 +5,15 @@
 #include <malloc.h>
 #endif
 
+#include "app/loading_progress.h"
 #include "app/parameter_text.h"
+#include "scene/relative_to_camera.h"
 
 namespace umbral {
 
-LoadedScene load_scene(const std::string& path, const ReadOptions& options) {
+LoadedScene load_scene(const std::string& path, ReadOptions options, bool quiet) {
+  LoadingProgress progress("reading " + path, quiet);
+  options.on_images = [&](std::size_t done, std::size_t count) { progress.decoded(done, count); };
   LoadedScene loaded;
   IntegratorKinds kinds;
   for (const IntegratorEntry& entry : integrators()) kinds.kinds.push_back(entry.kind);
@@ -23,6 +27,11 @@ LoadedScene load_scene(const std::string& path, const ReadOptions& options) {
   malloc_trim(0);  // what reading took and left would stand beside the hierarchy of boxes while that is built
 #endif
   return loaded;
+}
+
+Scene built_scene(SceneDescription description, bool quiet) {
+  const LoadingProgress progress("building the scene", quiet);
+  return Scene(relative_to_camera(std::move(description)));
 }
 
 std::string integrator_text(const std::string& kind, Integrator& integrator) {

@@ -17,8 +17,11 @@ struct LoadedScene {
   Integrator& integrator(const std::string& kind) { return *integrators.at(kind); }
 };
 
-// Throws SceneError, as read_scene_file() does.
-LoadedScene load_scene(const std::string& path, const ReadOptions& options = {});
+// Throws SceneError, as read_scene_file() does. Unless `quiet`, stderr tells what takes long.
+LoadedScene load_scene(const std::string& path, ReadOptions options = {}, bool quiet = true);
+
+// The scene ready for rays, as the camera sees it; likewise.
+Scene built_scene(SceneDescription description, bool quiet);
 
 // "path(max_depth = 0, …)".
 std::string integrator_text(const std::string& kind, Integrator& integrator);

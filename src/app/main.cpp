@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "analysis/estimated_file.h"
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "core/error.h"
@@ -41,13 +42,28 @@ int exit_code_of(umbral::UnfitReason reason) {
   return umbral::exit_failure;
 }
 
+[[noreturn]] void refuse_name(const std::string& kind, const std::string& word,
+                              const std::vector<std::string>& names) {
+  umbral::refuse("there is no " + kind + " '" + word + "'" + umbral::suggestion(word, names));
+}
+
 // CLI11 would only say that a command is required.
 void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw umbral::SceneError(umbral::Where{},
-                           "there is no command '" + word + "'" + umbral::suggestion(word, names));
+  if (!word.starts_with('-') && std::find(names.begin(), names.end(), word) == names.end())
+    refuse_name("command", word, names);
+}
+
+// What CLI11 calls not expected: options get the nearest name of the command that they were given to.
+void refuse_unknown_option(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const std::string& word : command.remaining())
+    if (word.starts_with("--")) refuse_name("option", word.substr(0, word.find('=')), names);
 }
 
 int run(int argc, char** argv) {
@@ -72,6 +88,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    refuse_unknown_option(app);
     return app.exit(error) == 0 ? umbral::exit_success : umbral::exit_bad_input;
   }
   return exit_code;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/progress_line.h"
 #include "render/renderer.h"
 
 namespace umbral {
@@ -10,17 +11,15 @@ namespace umbral {
 class ProgressBar {
  public:
   // On stderr; `target` is the relative error asked for, 0 if none.
-  explicit ProgressBar(double target);
+  explicit ProgressBar(double target) : target_(target) {}
 
   void show(const RenderProgress& progress);
   // Clears the bar.
-  void finish();
+  void finish() { line_.clear(); }
 
  private:
-  bool terminal_;
   double target_;
-  double next_ = 0;  // seconds from the start
-  bool shown_ = false;
+  ProgressLine line_{0};
 };
 
 // "[########            ]  42 %  12.3 s, 16.8 s left  error 1.8 % → 1.0 %".

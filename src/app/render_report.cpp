@@ -5,18 +5,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
+#include "app/number_text.h"
 #include "umbral_version.h"
 
 namespace umbral {
 namespace {
-
-std::string percent(double share) {
-  return std::isfinite(share) ? fmt::format("{:.3g} %", 100 * share) : "unknown";
-}
-
-nlohmann::json number_or_null(double x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(); }
 
 double peak_mebibytes() {
   rusage usage{};
@@ -73,7 +67,7 @@ std::string summary_line(const FilmImage& image, const Scene& scene) {
   if (std::isfinite(error.rms_standard_error)) {
     text +=
         fmt::format("; error {} (RMS standard error of a pixel over the mean); mean {:.6g} ± {:.2g} (95 %)",
-                    percent(error.relative()), error.mean, error.half_width());
+                    percent_text(error.relative()), error.mean, error.half_width());
     if (error.relative() > 0) text += fmt::format("; efficiency {:.3g}/s", efficiency(error, seconds));
   } else {
     text += fmt::format("; mean {:.6g}; error unknown: it takes two replicates at least", error.mean);

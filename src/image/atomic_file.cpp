@@ -92,4 +92,10 @@ void AtomicFile::fail(int error) {
   refuse(path_, std::generic_category().message(error_));
 }
 
+void write_file(const std::string& path, std::span<const char> bytes) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
 }  // namespace umbral

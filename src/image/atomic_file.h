@@ -38,4 +38,7 @@ class AtomicFile {
   int error_ = 0;  // the first errno
 };
 
+// A whole file at once.
+void write_file(const std::string& path, std::span<const char> bytes);
+
 }  // namespace umbral

@@ -68,11 +68,6 @@ std::string html(const Page& page) {
   return text + "\n</body>\n</html>\n";
 }
 
-void write_page(const std::string& path, const Page& page) {
-  const std::string text = html(page);
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
-}
+void write_page(const std::string& path, const Page& page) { write_file(path, html(page)); }
 
 }  // namespace umbral

@@ -178,6 +178,14 @@ TEST_F(Cli, CtrlCWritesWhatThereIs) {
   }
 }
 
+TEST_F(Cli, AnInterruptedComparisonSaysThatThereIsNone) {
+  const Outcome outcome =
+      run("compare room.toml --samplers sobol,independent --spp 1000000 --json c.json -o c.html",
+          "timeout -s INT 2");
+  EXPECT_TRUE(has(outcome, "interrupted: a comparison takes all its renders")) << outcome.text;
+  EXPECT_FALSE(fs::exists(folder_ / "c.json") || fs::exists(folder_ / "c.html"));
+}
+
 TEST_F(Cli, ASignalThatComesTwiceAtOnceIsOne) {
   const Outcome outcome =
       test::run_command("cd '" + folder_.string() +
@@ -194,6 +202,11 @@ TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
     EXPECT_TRUE(has(outcome, message)) << arguments << "\n" << outcome.text;
   };
   refused("rendr room.toml", "there is no command 'rendr'; did you mean 'render'?");
+  refused("render room.toml --integratr path",
+          "there is no option '--integratr'; did you mean '--integrator'?");
+  refused("--versio", "there is no option '--versio'; did you mean '--version'?");
+  refused("converge room.toml --seed -1", "--seed: wants a whole number, 0 or above, not '-1'");
+  refused("converge room.toml --time-limit -3", "--time-limit: wants a number above 0, not '-3'");
   refused("render room.toml --integrator pth", "there is no integrator 'pth'; did you mean 'path'?");
   refused("render room.toml --sampler sobl", "did you mean 'sobol'?");
   refused("render room.toml --size 0x5", "--size wants WIDTHxHEIGHT");

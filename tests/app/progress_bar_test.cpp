@@ -1,5 +1,8 @@
-// The one line that a running render shows.
+// The one line that shows how a render or its loading goes.
 #include "app/progress_bar.h"
+#include "app/loading_progress.h"
+
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +20,30 @@ TEST(ProgressText, WithoutTerminalThereIsNoBar) {
 
 TEST(ProgressText, GuessesNoTimeLeftFromNothing) {
   EXPECT_EQ(progress_text({0.001, 0.1, infinity}, 0, false), "  0 %  0.1 s");
+}
+
+TEST(ProgressLine, WithoutTerminalSaysNothingOfWhatIsShortAndEverLess) {
+  ProgressLine line(0);
+  if (line.is_terminal()) GTEST_SKIP() << "standard error is a terminal";
+  EXPECT_FALSE(line.is_due(1.9));
+  EXPECT_TRUE(line.is_due(2));
+  EXPECT_FALSE(line.is_due(7.1));
+  EXPECT_TRUE(line.is_due(7.3));
+  EXPECT_FALSE(line.is_due(12.9));
+  EXPECT_TRUE(line.is_due(13.1));
+}
+
+TEST(LoadingProgress, TellsThePhaseOfWhatTakesLongUnlessItIsToBeQuiet) {
+  testing::internal::CaptureStderr();
+  {
+    const LoadingProgress quiet("reading other.toml", true);
+    LoadingProgress progress("reading scene.toml", false);
+    progress.decoded(12, 40);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  }
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(told.starts_with("textures 12/40  2.")) << told;
+  EXPECT_EQ(told.find('\n') + 1, told.size()) << told;
 }
 
 }  // namespace

@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/arguments.h"
+#include "app/replicate_planes.h"
 #include "core/parallel.h"
-#include "render/replicates.h"
-#include "scene/relative_to_camera.h"
 
 namespace umbral {
 namespace {
@@ -70,13 +69,6 @@ ComparedSide side_of(std::vector<EstimatedFile> files, const std::vector<std::st
   return side;
 }
 
-Planes planes_of(const ImageReplicate& replicate, const FilmSettings& film) {
-  Planes planes(film.width, film.height);
-  for (std::size_t i = 0; i < replicate.pixels.size(); ++i)
-    for (int c = 0; c < 3; ++c) planes.channels[c][i] = static_cast<float>(replicate.pixels[i][c]);
-  return planes;
-}
-
 // Renders whole-image replicates of a variant; `share` is of all the work of this command.
 class Rendering {
  public:
@@ -100,7 +92,7 @@ class Rendering {
         throw UnfitImage(UnfitReason::not_finite,
                          fmt::format("{}: {} samples were not finite or negative; umbral render tells which",
                                      variant.name, replicate->rejected));
-      sum.add(planes_of(*replicate, variant.film));
+      sum.add(planes_of(*replicate, variant.film.width, variant.film.height));
       seconds += replicate->wall_seconds;
       elapsed_ += replicate->wall_seconds;
       ++done_;
@@ -131,8 +123,8 @@ struct LoadedVariants {
   std::vector<Variant> variants;
 };
 
-LoadedVariants load(const std::string& path, const CompareInputs& inputs, std::size_t count) {
-  LoadedScene loaded = load_scene(path);
+LoadedVariants load(const std::string& path, const CompareInputs& inputs, std::size_t count, bool quiet) {
+  LoadedScene loaded = load_scene(path, {}, quiet);
   std::vector<Variant> made = variants(loaded, inputs.variants);
   if (count == 2) require_several(made);
   if (made.size() > count)
@@ -146,7 +138,7 @@ LoadedVariants load(const std::string& path, const CompareInputs& inputs, std::s
     if (!inputs.size.empty()) apply_size(inputs.size, variant.film);
     if (!chosen) variant.sampling.replicates = 1;
   }
-  return {Scene(relative_to_camera(std::move(loaded.file.scene))), std::move(made)};
+  return {built_scene(std::move(loaded.file.scene), quiet), std::move(made)};
 }
 
 void require_error_of_reference(const ComparedPair& pair) {
@@ -186,7 +178,7 @@ ComparedPair pair_of_files(const CompareInputs& inputs, const Source& a, const S
 
 std::optional<ComparedPair> pair_of_variants(const CompareInputs& inputs, const std::string& path,
                                              const RegionsOf& regions, const RenderHooks& hooks) {
-  const LoadedVariants loaded = load(path, inputs, 2);
+  const LoadedVariants loaded = load(path, inputs, 2, !hooks.progress);
   const FilmSettings& film = loaded.variants[0].film;
   Rendering rendering(inputs, hooks, 2);
   const std::vector<Region> kept = regions(film.width, film.height);
@@ -211,7 +203,7 @@ std::optional<ComparedPair> mixed_pair(const CompareInputs& inputs, const Source
       files.push_back(std::move(file));
       return side_of(std::move(files), source.files, exact, kept);
     }
-    const LoadedVariants loaded = load(source.scene, inputs, 1);
+    const LoadedVariants loaded = load(source.scene, inputs, 1, !hooks.progress);
     const FilmSettings& film = loaded.variants[0].film;
     auto rendered = rendering.side(loaded.scene, loaded.variants[0], set++, regions(film.width, film.height));
     if (rendered) rendered->name = source.scene;

@@ -3,21 +3,13 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
+#include "app/number_text.h"
 #include "report/compare_page.h"
 
 namespace umbral {
 namespace {
 
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-
 std::string number(double value) { return std::isnan(value) ? "–" : fmt::format("{:.4g}", value); }
-
-nlohmann::json json_number(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
 
 // Which statistic sees least, by how much more than it may.
 const Statistic* blindest(const Judgement& judgement, const EqualitySettings& settings, double& excess) {
@@ -37,7 +29,7 @@ const Statistic* blindest(const Judgement& judgement, const EqualitySettings& se
 std::string statistic_text(const Statistic& s) {
   if (s.kind == StatisticKind::squared_bias)
     return fmt::format("squared bias: RMS difference of {} of the image's mean, p {:.2g}",
-                       percent(std::sqrt(std::max(0.0, s.measured)) / s.scale), s.p);
+                       percent_text(std::sqrt(std::max(0.0, s.measured)) / s.scale), s.p);
   return fmt::format("{}: A {:.5g}, B {:.5g} ({:+.3g} %), standard error {:.2g}, p {:.2g}", s.name,
                      s.expected, s.measured, 100 * (s.measured / s.expected - 1), s.error.standard_error(),
                      s.p);
@@ -64,9 +56,10 @@ std::string judged_text(const Judgement& judgement) {
       "  tests: {} rejected of {} by Holm; smallest p {:.2g}\n"
       "  a difference would be seen in nine of ten cases from {} of the image's mean, {} of a tile's",
       judgement.rejected.size(), judgement.statistics.size(), judgement.smallest_p(),
-      percent(judgement.worst_mde(StatisticKind::image)), percent(judgement.worst_mde(StatisticKind::tile)));
+      percent_text(judgement.worst_mde(StatisticKind::image)),
+      percent_text(judgement.worst_mde(StatisticKind::tile)));
   if (const double rms = judgement.worst_mde(StatisticKind::squared_bias); rms > 0)
-    text += fmt::format(", {} RMS of all pixels", percent(rms));
+    text += fmt::format(", {} RMS of all pixels", percent_text(rms));
   text += fmt::format("\n  skewness of the replicates {:.2f}\n", judgement.mean_skewness());
   for (std::size_t i = 0; i < std::min<std::size_t>(5, judgement.rejected.size()); ++i)
     text += "    " + statistic_text(judgement.statistics[judgement.rejected[i]]) + "\n";
@@ -79,19 +72,20 @@ nlohmann::json json_of(const Change& c) {
           {"pixels", {c.region.x0, c.region.y0, c.region.x1, c.region.y1}},
           {"luminanceA", c.a},
           {"luminanceB", c.b},
-          {"change", json_number(c.value)},
-          {"halfWidth95", json_number(c.half_width)}};
+          {"change", number_or_null(c.value)},
+          {"halfWidth95", number_or_null(c.half_width)}};
 }
 
 nlohmann::json json_of(const Statistic& s) {
+  const BehrensFisher& error = s.error;
   return {
       {"name", s.name},
       {"a", s.expected},
       {"b", s.measured},
-      {"standardError", s.error.standard_error()},
-      {"degreesOfFreedom", nlohmann::json::array({json_number(s.error.dof_a), json_number(s.error.dof_b)})},
+      {"standardError", error.standard_error()},
+      {"degreesOfFreedom", nlohmann::json::array({number_or_null(error.dof_a), number_or_null(error.dof_b)})},
       {"p", s.p},
-      {"smallestDetectable", json_number(s.mde)}};
+      {"smallestDetectable", number_or_null(s.mde)}};
 }
 
 nlohmann::json json_of(const Judgement& judgement) {
@@ -100,8 +94,8 @@ nlohmann::json json_of(const Judgement& judgement) {
   return {{"outcome", name_of(judgement.outcome)},
           {"rejected", judgement.rejected.size()},
           {"smallestP", judgement.smallest_p()},
-          {"smallestDetectableImage", json_number(judgement.worst_mde(StatisticKind::image))},
-          {"smallestDetectableTile", json_number(judgement.worst_mde(StatisticKind::tile))},
+          {"smallestDetectableImage", number_or_null(judgement.worst_mde(StatisticKind::image))},
+          {"smallestDetectableTile", number_or_null(judgement.worst_mde(StatisticKind::tile))},
           {"skewness", judgement.mean_skewness()},
           {"statistics", std::move(statistics)}};
 }
@@ -147,14 +141,14 @@ std::string reason_text(const Comparison& comparison, const ComparedPair& pair,
   switch (judgement.outcome) {
     case Outcome::agrees:
       return fmt::format("no difference, and none of {} of the image or {} of a tile would have gone unseen",
-                         percent(settings.image_mde), percent(settings.tile_mde));
+                         percent_text(settings.image_mde), percent_text(settings.tile_mde));
     case Outcome::differs:
       return fmt::format("equal images would be called different with a chance of {}",
-                         percent(settings.alpha));
+                         percent_text(settings.alpha));
     case Outcome::underpowered:
       return fmt::format(
           "no difference was seen, but one of {} in {} could hide: about {:.0f} times the samples are needed",
-          percent(worst->mde), worst->name, sqr(excess));
+          percent_text(worst->mde), worst->name, sqr(excess));
     case Outcome::skewed:
       return "rare bright samples make most of the noise: its errors cannot be believed yet";
   }
@@ -180,9 +174,9 @@ nlohmann::json comparison_json(const Comparison& comparison, const ComparedPair&
                                const ComparisonSettings& settings) {
   nlohmann::json metrics = nlohmann::json::object(), changes = nlohmann::json::array();
   for (const Metric& m : comparison.metrics)
-    metrics[m.name] = {{"measured", json_number(m.value)},
-                       {"debiased", json_number(m.debiased)},
-                       {"noiseAlone", json_number(m.of_noise)}};
+    metrics[m.name] = {{"measured", number_or_null(m.value)},
+                       {"debiased", number_or_null(m.debiased)},
+                       {"noiseAlone", number_or_null(m.of_noise)}};
   metrics["FLIP"] = {{"measured", comparison.mean_flip}};
   for (const Change& c : comparison.changes) changes.push_back(json_of(c));
   const auto side = [](const ComparedSide& s) {
@@ -198,7 +192,7 @@ nlohmann::json comparison_json(const Comparison& comparison, const ComparedPair&
           {"alpha", settings.equality.alpha},
           {"tests", comparison.judgement ? json_of(*comparison.judgement) : nlohmann::json(nullptr)},
           {"uniformityP",
-           comparison.uniformity ? json_number(comparison.uniformity->p) : nlohmann::json(nullptr)},
+           comparison.uniformity ? number_or_null(comparison.uniformity->p) : nlohmann::json(nullptr)},
           {"image", json_of(comparison.image)},
           {"regions", std::move(changes)},
           {"metrics", std::move(metrics)}};

@@ -8,6 +8,7 @@
 
 #include "analysis/comparison.h"
 #include "app/arguments.h"
+#include "app/replicate_planes.h"
 
 namespace umbral {
 namespace {
@@ -17,13 +18,6 @@ namespace {
 constexpr double most_blur = 0.01;
 
 using SteadyClock = std::chrono::steady_clock;
-
-Planes planes_of(const ImageReplicate& replicate, int width, int height) {
-  Planes planes(width, height);
-  for (std::size_t i = 0; i < replicate.pixels.size(); ++i)
-    for (int c = 0; c < 3; ++c) planes.channels[c][i] = static_cast<float>(replicate.pixels[i][c]);
-  return planes;
-}
 
 double mean_of_image(const Planes& image) {
   double sum = 0;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/number_text.h"
+
 namespace umbral {
 namespace {
 
@@ -23,8 +25,6 @@ std::string detectable_text(const Judgement& judgement) {
 }
 
 }  // namespace
-
-std::string percent_text(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 std::string seconds_text(double seconds) { return fmt::format("{:.3g} s", seconds); }
 

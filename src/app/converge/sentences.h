@@ -7,8 +7,6 @@
 
 namespace umbral {
 
-/// "1.31 %"
-std::string percent_text(double share);
 /// "0.0312 s", "31.2 s"
 std::string seconds_text(double seconds);
 /// "1.31 % ± 0.02 %" by half the interval, and so on; the whole interval where it is wider than a fifth.

@@ -241,10 +241,7 @@ std::string SceneWriter::text(const LoadedScene& loaded) {
 
 void write_scene(const LoadedScene& scene, const std::filesystem::path& source,
                  const std::filesystem::path& path) {
-  const std::string text = SceneWriter(scene.file.scene, source, path).text(scene);
-  AtomicFile file(path.string());
-  file.write(text);
-  file.commit();
+  write_file(path.string(), SceneWriter(scene.file.scene, source, path).text(scene));
 }
 
 }  // namespace umbral

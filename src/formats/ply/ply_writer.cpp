@@ -52,9 +52,7 @@ void write_ply(const std::string& path, const Mesh& mesh) {
     bytes += '\3';
     append(bytes, triangle);
   }
-  AtomicFile file(path);
-  file.write(bytes);
-  file.commit();
+  write_file(path, bytes);
 }
 
 }  // namespace umbral
