@@ -198,14 +198,14 @@ TextureImage loaded(OIIO::ImageInput& input, std::size_t bytes, const std::strin
 
 }  // namespace
 
-std::optional<std::size_t> texture_bytes(const std::string& path, ColorSpace color_space) {
+std::optional<TextureImage> load_where_room(const std::string& path, ColorSpace color_space,
+                                            std::vector<std::string>& repairs, std::size_t& bytes,
+                                            const std::function<bool(std::size_t)>& take) {
   if (is_pfm(path)) return std::nullopt;
-  try {
-    const OIIO::ImageSpec spec = opened(path)->spec();
-    return bytes_in_memory(spec, is_encoded(spec, color_space));
-  } catch (const SceneError&) {
-    return std::nullopt;
-  }
+  const std::unique_ptr<OIIO::ImageInput> input = opened(path);
+  bytes = bytes_in_memory(input->spec(), is_encoded(input->spec(), color_space));
+  if (!take(bytes)) return std::nullopt;
+  return loaded(*input, std::filesystem::file_size(path), path, color_space, repairs, nullptr);
 }
 
 TextureImage load_texture_image(const std::string& path, ColorSpace color_space,

@@ -1,6 +1,9 @@
 // Parts of a scene as they come in.
 #include "formats/assembly/scene_builder.h"
 
+#include <mutex>
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 #include "formats/assembly/material_parts.h"
@@ -33,13 +36,17 @@ MaterialId SceneBuilder::black_material() {
 
 void SceneBuilder::expect_image(const std::filesystem::path& file, ColorSpace space) {
   const std::string name = file.string();
-  if (images_ahead.knows({name, space})) return;
-  const std::optional<std::size_t> bytes = texture_bytes(name, space);
-  if (!bytes || !memory_ahead_.take(*bytes)) return;
-  images_ahead.expect({name, space}, [name, space, budget = *bytes] {
+  images_ahead.expect({name, space}, [this, name, space] {
     std::vector<std::string> repairs;
-    TextureImage image = load_texture_image(name, space, repairs);
-    return DecodedImage{std::move(image), std::move(repairs), budget};
+    std::size_t bytes = 0;
+    const auto take = [&](std::size_t wanted) {
+      static std::mutex taking;
+      const std::lock_guard lock(taking);
+      return memory_ahead_.take(wanted);
+    };
+    std::optional<TextureImage> image = load_where_room(name, space, repairs, bytes, take);
+    if (!image) throw std::length_error("there is no room for it");
+    return DecodedImage{std::move(*image), std::move(repairs), bytes};
   });
 }
 

@@ -44,7 +44,7 @@ void expect_images(const Value& value, const std::filesystem::path& folder, Scen
   const std::filesystem::path path = (folder / *file).lexically_normal();
   if (*type == ImageTexture::kind) {
     const ColorSpace space = color_space_of(*table);
-    builder.expect_image(path, space);
+    if (file->find(UdimTiles::mark) == std::string::npos) builder.expect_image(path, space);
     for (const auto& [number, tile] : tile_files(path)) builder.expect_image(tile, space);
   } else if (*type == EnvironmentLight::kind || *type == GoniometricLight::kind) {
     builder.expect_image(path, ColorSpace::automatic);
