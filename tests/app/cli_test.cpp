@@ -1,8 +1,10 @@
 // The program as a user meets it: commands, messages, exit codes, files.
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -168,9 +170,19 @@ TEST_F(Cli, StopRulesSayWhichOneFired) {
   EXPECT_TRUE(has(run("render room.toml --time 0.2"), "(time 0.2 s)"));
 }
 
+// Whether `interrupt(seconds)`, which sends the signal after so long, ends as it should. Later where nothing had begun by then:
+// the machine may be busy.
+bool ends_well(const std::function<bool(int)>& interrupt) {
+  for (const int seconds : {2, 8, 32})
+    if (interrupt(seconds)) return true;
+  return false;
+}
+
 TEST_F(Cli, CtrlCWritesWhatThereIs) {
-  const Outcome outcome = run("render room.toml --spp 1000000000 --size 64x64", "timeout -s INT 2");
-  EXPECT_TRUE(fs::exists(folder_ / "room.exr")) << outcome.text;
+  EXPECT_TRUE(ends_well([&](int seconds) {
+    run("render room.toml --spp 1000000000 --size 64x64", fmt::format("timeout -s INT {}", seconds));
+    return fs::exists(folder_ / "room.exr");
+  }));
   EXPECT_TRUE(has(run("info room.exr"), "stopped by interrupted"));
   for (const auto& entry : fs::directory_iterator(folder_)) {
     const std::string extension = entry.path().extension().string();
@@ -179,20 +191,23 @@ TEST_F(Cli, CtrlCWritesWhatThereIs) {
 }
 
 TEST_F(Cli, AnInterruptedComparisonSaysThatThereIsNone) {
-  const Outcome outcome =
-      run("compare room.toml --samplers sobol,independent --spp 1000000 --json c.json -o c.html",
-          "timeout -s INT 2");
-  EXPECT_TRUE(has(outcome, "interrupted: a comparison takes all its renders")) << outcome.text;
+  EXPECT_TRUE(ends_well([&](int seconds) {
+    const Outcome outcome =
+        run("compare room.toml --samplers sobol,independent --spp 1000000 --json c.json -o c.html",
+            fmt::format("timeout -s INT {}", seconds));
+    return has(outcome, "interrupted: a comparison takes all its renders");
+  }));
   EXPECT_FALSE(fs::exists(folder_ / "c.json") || fs::exists(folder_ / "c.html"));
 }
 
 TEST_F(Cli, ASignalThatComesTwiceAtOnceIsOne) {
-  const Outcome outcome =
-      test::run_command("cd '" + folder_.string() +
-                        "' && " UMBRAL_PROGRAM
-                        " render room.toml --spp 1000000000 --size 800x600 & sleep 2; kill "
-                        "-INT $!; sleep 0.02; kill -INT $!; wait $!");
-  EXPECT_TRUE(fs::exists(folder_ / "room.exr")) << outcome.text;
+  EXPECT_TRUE(ends_well([&](int seconds) {
+    test::run_command(fmt::format("cd '{}' && " UMBRAL_PROGRAM
+                                  " render room.toml --spp 1000000000 --size 800x600 & "
+                                  "sleep {}; kill -INT $!; sleep 0.02; kill -INT $!; wait $!",
+                                  folder_.string(), seconds));
+    return fs::exists(folder_ / "room.exr");
+  }));
 }
 
 TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
