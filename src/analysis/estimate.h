@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "analysis/behrens_fisher.h"
+#include "core/behrens_fisher.h"
 #include "core/math.h"
 
 namespace umbral {

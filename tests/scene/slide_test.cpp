@@ -104,6 +104,16 @@ TEST(Slide, SendsThePowerOfItsTexels) {
   EXPECT_NEAR(spot.power() / (sum * 2 * pi_d / n), 1, 0.015);
 }
 
+// The middles of these four texels lie outside the cone.
+TEST(Slide, OfTexelsWiderThanTheConeSendsWhatTheConeLetsThrough) {
+  SpotLight spot = projector(image_of(2, 2, [](int, int) { return 1; }));
+  spot.image_angle = 150;
+  spot.cone_angle = 3;
+  spot.edge_angle = 0;
+  const double solid_angle = 2 * pi_d * (1 - std::cos(glm::radians(3.0)));
+  EXPECT_NEAR(spot.power() / (luminance(spot.intensity) * solid_angle), 1, 1e-3);
+}
+
 TEST(Slide, BoundsItsIntensityByItsBrightestTexel) {
   const SpotLight spot = projector(image_of(4, 2, value_at));
   EXPECT_NEAR(spot.bounds().intensity, 8 * static_cast<double>(luminance(spot.intensity)), 1e-5);

@@ -47,7 +47,7 @@ LightBounds SpotLight::bounds() const {
   return bounds;
 }
 
-double SpotLight::power_of_image() const {
+double SpotLight::power_by_texels() const {
   const Slide slide = this->slide();
   const Vec3 along(axis());
   double sum = 0;
@@ -61,8 +61,28 @@ double SpotLight::power_of_image() const {
   return sum;
 }
 
+double SpotLight::power_by_directions() const {
+  constexpr int rings = 64;
+  const Slide slide = this->slide();
+  const Frame frame = frame_from_normal(Vec3(axis()));
+  const float step = glm::radians(cone_angle) / rings, turn = two_pi / rings;
+  double sum = 0;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < rings; ++j) {
+      const float angle = step * (i + 0.5f), phi = turn * j;
+      const Vec3 local{std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), std::cos(angle)};
+      sum += luminance(intensity * slide.towards(*image, frame.to_world(local))) * falloff(local.z) *
+             std::sin(angle);
+    }
+  return sum * step * turn;
+}
+
 double SpotLight::power() const {
-  if (image) return power_of_image();
+  if (image) {
+    const double by_texels = power_by_texels();
+    return by_texels > 0 ? by_texels
+                         : power_by_directions();  // of texels wider than the cone no middle may be in it
+  }
   // ∫ falloff dω by Simpson's rule over the angle; it only weighs the choice among lights.
   constexpr int steps = 64;
   const double end = glm::radians(static_cast<double>(cone_angle));

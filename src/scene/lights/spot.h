@@ -74,7 +74,8 @@ struct SpotLight {
  private:
   float falloff(float cos_angle) const;
   Vec3d axis() const { return glm::normalize(Vec3d(target) - Vec3d(position)); }
-  double power_of_image() const;
+  double power_by_texels() const;      // of its image, as the next
+  double power_by_directions() const;  // in the cone
 };
 
 }  // namespace umbral

@@ -1,5 +1,5 @@
 // Behrens and Fisher's distribution by quadrature, and its inverse.
-#include "analysis/behrens_fisher.h"
+#include "core/behrens_fisher.h"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/quadrature/exp_sinh.hpp>

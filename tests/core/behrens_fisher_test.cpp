@@ -1,5 +1,5 @@
 // Behrens and Fisher's distribution: where it is known otherwise, and that tests by it keep their level.
-#include "analysis/behrens_fisher.h"
+#include "core/behrens_fisher.h"
 
 #include <random>
 
