@@ -32,9 +32,9 @@ std::string diffuse(const std::string& attribute_name) {
   return "<bsdf type='diffuse'>" + attribute(attribute_name) + "</bsdf>";
 }
 
-struct MeshAttributes : testing::Test {
+struct MitsubaAttributes : testing::Test {
   SceneFolder folder;
-  MeshAttributes() { folder.write("m.ply", square); }
+  MitsubaAttributes() { folder.write("m.ply", square); }
 
   SceneFile read(const std::string& bsdf) const {
     folder.write("scene.xml", scene_of(bsdf));
@@ -50,14 +50,14 @@ struct MeshAttributes : testing::Test {
   }
 };
 
-TEST_F(MeshAttributes, OfOneNumberAreGrey) {
+TEST_F(MitsubaAttributes, OfOneNumberAreGrey) {
   EXPECT_EQ(colors(diffuse("vertex_heat")),
             (std::vector<Vec3>{Vec3(0.1f), Vec3(0.2f), Vec3(0.3f), Vec3(0.4f)}));
   const Vec3 first(0.25f), second(0.75f);
   EXPECT_EQ(colors(diffuse("face_weight")), (std::vector<Vec3>{first, first, first, second, second, second}));
 }
 
-TEST_F(MeshAttributes, OfThreeNumbersAreColours) {
+TEST_F(MitsubaAttributes, OfThreeNumbersAreColours) {
   EXPECT_EQ(colors(diffuse("vertex_paint")), std::vector<Vec3>(4, Vec3(0.2f, 0, 1)));
   const Vec3 first(0.1f, 0.2f, 0.3f), second(0.4f, 0.5f, 0.6f);
   EXPECT_EQ(colors(diffuse("face_color")), (std::vector<Vec3>{first, first, first, second, second, second}));
@@ -65,7 +65,7 @@ TEST_F(MeshAttributes, OfThreeNumbersAreColours) {
 }
 
 // Where Mitsuba's own test of blends has it.
-TEST_F(MeshAttributes, MayWeighABlend) {
+TEST_F(MitsubaAttributes, MayWeighABlend) {
   const SceneFile file =
       read("<bsdf type='blendbsdf'>" + attribute("face_weight", "weight") +
            "<bsdf type='diffuse'/><bsdf type='diffuse'><rgb name='reflectance' value='0, 1, "
@@ -79,7 +79,7 @@ TEST_F(MeshAttributes, MayWeighABlend) {
   EXPECT_NEAR(file.scene.textures.at(index_of(mix.maps[0].texture)).number(point), 0.75, 1e-6);
 }
 
-TEST_F(MeshAttributes, MayBeScaled) {
+TEST_F(MitsubaAttributes, MayBeScaled) {
   const SceneFile file = read(
       "<bsdf type='diffuse'><texture type='mesh_attribute' name='reflectance'><string "
       "name='name' value='vertex_heat'/><float name='scale' value='2'/></texture></bsdf>");
@@ -89,7 +89,7 @@ TEST_F(MeshAttributes, MayBeScaled) {
   EXPECT_NEAR(file.scene.textures.at(index_of(matte.maps.at(0).texture)).color(point).g, 0.8, 1e-6);
 }
 
-TEST_F(MeshAttributes, ThatAreNotThereAreTold) {
+TEST_F(MitsubaAttributes, ThatAreNotThereAreTold) {
   const auto errors = [&](const std::string& bsdf) {
     folder.write("scene.xml", scene_of(bsdf));
     return folder.errors("scene.xml");
