@@ -69,7 +69,7 @@ double SpotLight::power_by_directions() const {
   double sum = 0;
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < rings; ++j) {
-      const float angle = step * (i + 0.5f), phi = turn * j;
+      const float angle = step * (static_cast<float>(i) + 0.5f), phi = turn * static_cast<float>(j);
       const Vec3 local{std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), std::cos(angle)};
       sum += luminance(intensity * slide.towards(*image, frame.to_world(local))) * falloff(local.z) *
              std::sin(angle);
