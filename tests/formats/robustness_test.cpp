@@ -135,7 +135,8 @@ TEST(BrokenFiles, FoundByFuzzing) {
 TEST(BrokenFiles, ThatAreNoFilesAreNamed) {
   const SceneFolder folder;
   std::filesystem::create_directory(folder.path("folder.toml"));
-  EXPECT_EQ(folder.errors("folder.toml"), "folder.toml: error: it is a directory, and no file in it has the name of a scene");
+  EXPECT_EQ(folder.errors("folder.toml"),
+            "folder.toml: error: it is a directory, and no file in it has the name of a scene");
   std::filesystem::create_symlink("/dev/zero", folder.path("zero.obj"));
   EXPECT_EQ(folder.errors("zero.obj"), "zero.obj: error: cannot be read: it is a device");
   std::filesystem::create_symlink("loop.ply", folder.path("loop.ply"));
