@@ -60,6 +60,7 @@ std::string quoted(const std::string& text) {
 
 std::string labels_json(const std::vector<CompareView::Label>& labels) {
   std::vector<std::string> items;
+  items.reserve(labels.size());
   for (const auto& [r, text] : labels)
     items.push_back(fmt::format("{{\"name\":{},\"text\":{},\"box\":[{},{},{},{}]}}", quoted(r.name),
                                 quoted(text), r.x0, r.y0, r.x1, r.y1));

@@ -77,7 +77,10 @@ class Drawing {
     return top + key_height * std::ceil(static_cast<double>(plot_.series.size() + plot_.guides.size()) / 2);
   }
   static double key_x(std::size_t i) { return left + (i % 2 == 0 ? 0 : (width - left - right) / 2); }
-  static double key_y(std::size_t i) { return top + key_height * static_cast<double>(i / 2); }
+  static double key_y(std::size_t i) {
+    const std::size_t row = i / 2;
+    return top + key_height * static_cast<double>(row);
+  }
   double total_height() const { return height + top_of_area() - top; }
 
   std::string keys() const {
