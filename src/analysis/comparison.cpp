@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "core/parallel.h"
-#include "core/statistics.h"
 
 namespace umbral {
 namespace {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 namespace umbral {
+
 std::string progress_text(const RenderProgress& progress, double target, bool with_bar) {
   std::string text;
   if (with_bar) {

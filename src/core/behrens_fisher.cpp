@@ -68,10 +68,13 @@ double BehrensFisher::half_width(double confidence) const {
   const double p = 1 - confidence;
   // In logarithms, where the tails are nearly straight.
   const auto excess = [&](double distance) { return std::log(two_sided_p(distance) / p); };
-  const double guess = standard_error() * student_quantile(confidence, std::min(dof_a, dof_b));
+  // Mostly between these two.
+  const double welch = student_quantile(confidence, welch_dof(*this));
+  const double widest = student_quantile(confidence, std::min(dof_a, dof_b));
   std::uintmax_t iterations = 60;
   const auto [low, high] = boost::math::tools::bracket_and_solve_root(
-      excess, guess, 1.5, false, boost::math::tools::eps_tolerance<double>(12), iterations);
+      excess, standard_error() * std::sqrt(welch * widest), 1.2, false,
+      boost::math::tools::eps_tolerance<double>(12), iterations);
   return 0.5 * (low + high);
 }
 

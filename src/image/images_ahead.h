@@ -29,9 +29,6 @@ class ImagesAhead {
 
   explicit ImagesAhead(Progress progress) : progress_(std::move(progress)) {}
 
-  // Whether it was expected before.
-  bool knows(const Key& key) const { return entries_.contains(key); }
-
   // A key that it knows is not decoded again.
   void expect(const Key& key, Decode decode);
 

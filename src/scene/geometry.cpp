@@ -65,6 +65,16 @@ class GroupBuilder {
   std::vector<Emitter> emitters_;
 };
 
+std::vector<TracedMesh> traced(std::vector<PlacedMesh> meshes) {
+  std::vector<TracedMesh> traced(meshes.size());
+  parallel_for(meshes.size(), [&](std::size_t i) {
+    Mesh mesh = std::move(meshes[i].mesh);  // given back as soon as it is traced
+    mesh.transform(meshes[i].to_group);
+    traced[i] = TracedMesh(mesh);
+  });
+  return traced;
+}
+
 // Barycentric weights of the three vertices.
 Vec3 weights(const Vec2& b) { return {1 - b.x - b.y, b.x, b.y}; }
 
@@ -204,20 +214,6 @@ LocalChart Geometry::chart(const Ray& ray, const Hit& hit) const {
     for (Vec3& dp : chart.dp) dp = Vec3(placement->to_world.vector(Vec3d(dp)));
   return chart;
 }
-
-namespace {
-
-std::vector<TracedMesh> traced(std::vector<PlacedMesh> meshes) {
-  std::vector<TracedMesh> traced(meshes.size());
-  parallel_for(meshes.size(), [&](std::size_t i) {
-    Mesh mesh = std::move(meshes[i].mesh);  // given back as soon as it is traced
-    mesh.transform(meshes[i].to_group);
-    traced[i] = TracedMesh(mesh);
-  });
-  return traced;
-}
-
-}  // namespace
 
 Geometry sorted_geometry(SceneDescription& description) {
   Geometry geometry;

@@ -29,9 +29,12 @@ std::string name_of(const Shape& shape) {
   return shape.name.empty() ? kind : fmt::format("{} '{}'", kind, shape.name);
 }
 
+bool are_parallel(const Vec3d& axis, const Vec3d& aside) {
+  return !(glm::length(cross(axis, aside)) > 1e-6 * glm::length(axis) * glm::length(aside));
+}
+
 bool lacks_up(const CameraSettings& camera) {
-  const Vec3d view = Vec3d(camera.look_at) - Vec3d(camera.position), up(camera.up);
-  return !(glm::length(cross(view, up)) > 1e-6 * glm::length(view) * glm::length(up));
+  return are_parallel(Vec3d(camera.look_at) - Vec3d(camera.position), Vec3d(camera.up));
 }
 
 // Directions are added up from these before they are made of unit length.

@@ -11,7 +11,10 @@ namespace umbral {
 // "sphere 'ball'".
 std::string name_of(const Shape& shape);
 
-// Whether its `up` tells nothing: it is zero, or along the view.
+// Whether `aside` tells nothing beside `axis`: one of them is zero, or they lie along each other.
+bool are_parallel(const Vec3d& axis, const Vec3d& aside);
+
+// Whether its `up` tells nothing beside the view.
 bool lacks_up(const CameraSettings& camera);
 
 // Why no rays can be made of it; its directions must be such.

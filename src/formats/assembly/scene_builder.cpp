@@ -1,7 +1,6 @@
 // Parts of a scene as they come in.
 #include "formats/assembly/scene_builder.h"
 
-#include <mutex>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -40,8 +39,7 @@ void SceneBuilder::expect_image(const std::filesystem::path& file, ColorSpace sp
     std::vector<std::string> repairs;
     std::size_t bytes = 0;
     const auto take = [&](std::size_t wanted) {
-      static std::mutex taking;
-      const std::lock_guard lock(taking);
+      const std::lock_guard lock(taking_);
       return memory_ahead_.take(wanted);
     };
     std::optional<TextureImage> image = load_where_room(name, space, repairs, bytes, take);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -96,7 +97,8 @@ class SceneBuilder {
  private:
   DecodedImage read_image(const std::string& file, ColorSpace space);
 
-  TextureMemory memory_ahead_;  // of what is expected
+  std::mutex taking_;
+  TextureMemory memory_ahead_;  // of what is expected; taken by one thread at a time
   MaterialId black_ = MaterialId::none;
   std::map<std::pair<std::filesystem::path, ColorSpace>, std::shared_ptr<TextureImage>> images_;
 };

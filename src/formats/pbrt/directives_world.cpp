@@ -12,10 +12,9 @@ namespace {
 void expect_image(SceneBuilder& builder, const std::filesystem::path& folder, const Parameters& parameters) {
   const Parameter *file = parameters.find("filename"), *encoding = parameters.find("encoding");
   if (!file || file->strings.empty()) return;
-  ColorSpace space = ColorSpace::automatic;
-  if (encoding && encoding->strings == std::vector<std::string>{"linear"}) space = ColorSpace::linear;
-  if (encoding && encoding->strings == std::vector<std::string>{"sRGB"}) space = ColorSpace::srgb;
-  builder.expect_image((folder / file->strings[0]).lexically_normal(), space);
+  const bool encoded = encoding && !encoding->strings.empty();
+  builder.expect_image((folder / file->strings[0]).lexically_normal(),
+                       color_space_of(encoded ? encoding->strings[0] : ""));
 }
 
 }  // namespace

@@ -8,6 +8,11 @@
 
 namespace umbral::pbrt_file {
 
+ColorSpace color_space_of(const std::string& encoding) {
+  if (encoding == "linear") return ColorSpace::linear;
+  return encoding == "sRGB" ? ColorSpace::srgb : ColorSpace::automatic;
+}
+
 void Textures::define(const Place& place, const std::string& name, bool is_float, const std::string& kind,
                       Parameters parameters, const Affine& to_world) {
   const auto [at, is_new] =
@@ -130,8 +135,7 @@ Textured<Spectrum> Textures::image(const std::string& name, const Definition& de
   parameters.ignore({"maxanisotropy"});
   if (parameters.text("filter", "bilinear") == "point") texture.filter = TextureFilter::nearest;
   const std::string encoding = parameters.text("encoding", "");
-  if (encoding == "linear") texture.color_space = ColorSpace::linear;
-  if (encoding == "sRGB") texture.color_space = ColorSpace::srgb;
+  texture.color_space = color_space_of(encoding);
   if (!encoding.empty() && encoding != "linear" && encoding != "sRGB")
     parameters.lacks("encoding", fmt::format("images encoded by '{}'", encoding));
   const std::string wrap = parameters.text("wrap", "repeat");

@@ -9,6 +9,9 @@
 
 namespace umbral::pbrt_file {
 
+// What an image map's "encoding" says; automatic where that is neither "linear" nor "sRGB".
+ColorSpace color_space_of(const std::string& encoding);
+
 class Textures {
  public:
   Textures(SceneBuilder& builder, std::filesystem::path folder)

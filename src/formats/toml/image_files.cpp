@@ -46,7 +46,7 @@ void expect_images(const Value& value, const std::filesystem::path& folder, Scen
     const ColorSpace space = color_space_of(*table);
     if (file->find(UdimTiles::mark) == std::string::npos) builder.expect_image(path, space);
     for (const auto& [number, tile] : tile_files(path)) builder.expect_image(tile, space);
-  } else if (*type == EnvironmentLight::kind || *type == GoniometricLight::kind) {
+  } else if (*type == EnvironmentLight::kind || *type == GoniometricLight::kind || *type == SpotLight::kind) {
     builder.expect_image(path, ColorSpace::automatic);
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/kinds.h"
+#include "formats/assembly/number_checks.h"
 #include "formats/ies.h"
 #include "formats/toml/parameter_reader.h"
 #include "formats/toml/transform.h"
@@ -45,8 +46,7 @@ std::optional<LightFault> fault_of(const SpotLight& light) {
     return LightFault{"target", "'target' of 'spot' is its 'position': it has no axis"};
   if (is_black(light.intensity)) return LightFault{"intensity", "'intensity' of 'spot' is zero: no light"};
   if (!light.image) return std::nullopt;
-  const Vec3d axis = Vec3d(light.target) - Vec3d(light.position), up(light.up);
-  if (!(glm::length(cross(axis, up)) > 1e-6 * glm::length(axis) * glm::length(up)))
+  if (are_parallel(Vec3d(light.target) - Vec3d(light.position), Vec3d(light.up)))
     return LightFault{"up",
                       "'up' of 'spot' is along its axis, or zero: it does not tell how the image stands"};
   if (light.image_angle == 0 && light.cone_angle >= 90)
@@ -59,9 +59,8 @@ std::optional<LightFault> fault_of(const SpotLight& light) {
 std::optional<LightFault> fault_of(const GoniometricLight& light) {
   if (is_black(light.intensity))
     return LightFault{"intensity", "'intensity' of 'goniometric' is zero: no light"};
-  const Vec3d axis(light.axis), front(light.front);
-  if (axis == Vec3d(0)) return LightFault{"axis", "'axis' of 'goniometric' has no direction"};
-  if (!(glm::length(cross(axis, front)) > 1e-6 * glm::length(axis) * glm::length(front)))
+  if (light.axis == Vec3(0)) return LightFault{"axis", "'axis' of 'goniometric' has no direction"};
+  if (are_parallel(Vec3d(light.axis), Vec3d(light.front)))
     return LightFault{"front",
                       "'front' of 'goniometric' is along its 'axis', or zero: it does not tell a side"};
   if (light.mapping != SphereMapping::equirectangular && is_ies(light.file))
