@@ -92,7 +92,7 @@ void add_structure(std::vector<Topic>& topics) {
                     {{{"object", "name of an object; required"}, "text", ""}, transform}});
   topics.push_back({"include",
                     "",
-                    "[[include]]: what a glTF, OBJ, PLY or STL file holds",
+                    "[[include]]: what a file of glTF, OBJ, PLY, STL, pbrt or Mitsuba holds",
                     {{{"file", "relative to the scene file; required"}, "text", ""},
                      {{"material", "for all of it, instead of its own"}, "text", ""},
                      {{"materials", "{its_name = \"ours\"}: replaces them by name"}, "table", ""},

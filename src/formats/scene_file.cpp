@@ -63,7 +63,7 @@ SceneFile read_scene_file(const std::filesystem::path& path, const IntegratorKin
     if (kind == FileKind::unknown)
       diagnostics.error(place, "the name of a scene file must end in .toml, .pbrt, .xml, " + model_endings());
     else
-      add_model(builder, path, place, Affine{}, {}, builder.world);
+      add_model(builder, path, place, {}, builder.world);
     if (!builder.cameras.empty() && builder.cameras.front().aspect > 0)
       take_aspect(builder.cameras.front().aspect, result.film);
   }

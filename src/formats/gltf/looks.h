@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "formats/assembly/material_overrides.h"
+#include "formats/assembly/inclusion.h"
 #include "formats/assembly/scene_builder.h"
 #include "formats/gltf/document.h"
 #include "formats/gltf/report.h"

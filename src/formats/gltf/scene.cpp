@@ -22,13 +22,13 @@ namespace {
 class Scene {
  public:
   Scene(const Document& document, SceneBuilder& builder, const std::filesystem::path& path,
-        const Affine& to_world, const MaterialOverrides& overrides, ShapeList& shapes, Report& report)
+        const Inclusion& inclusion, ShapeList& shapes, Report& report)
       : document_(document),
         builder_(builder),
-        to_world_(to_world),
+        to_world_(inclusion.to_world),
         shapes_(shapes),
         report_(report),
-        looks_(document, builder, path.parent_path(), overrides, report),
+        looks_(document, builder, path.parent_path(), inclusion.overrides, report),
         place_{{path.string()}} {}
 
   std::vector<std::string> add();
@@ -168,13 +168,12 @@ std::vector<std::string> Scene::add() {
 }  // namespace gltf
 
 std::vector<std::string> add_gltf(SceneBuilder& builder, const std::filesystem::path& path,
-                                  const Place& place, const Affine& to_world,
-                                  const MaterialOverrides& overrides, ShapeList& shapes) {
+                                  const Place& place, const Inclusion& inclusion, ShapeList& shapes) {
   gltf::Report report(builder.diagnostics, path.string());
   std::vector<std::string> names;
   try {
     if (const auto document = gltf::read_document(path, builder.files, report))
-      names = gltf::Scene(*document, builder, path, to_world, overrides, shapes, report).add();
+      names = gltf::Scene(*document, builder, path, inclusion, shapes, report).add();
   } catch (const SceneError& error) {
     builder.diagnostics.error(place, error);
   }

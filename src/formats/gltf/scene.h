@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/assembly/material_overrides.h"
+#include "formats/assembly/inclusion.h"
 #include "formats/assembly/scene_builder.h"
 
 namespace umbral {
@@ -18,7 +18,6 @@ namespace umbral {
 // A photometric unit is taken as a radiometric one: candela as W/sr, lux as W/m², nit as W m⁻² sr⁻¹. glTF uses them for
 // lights and emission alike, so that their ratios hold; the level of the image is a matter of exposure.
 std::vector<std::string> add_gltf(SceneBuilder& builder, const std::filesystem::path& path,
-                                  const Place& place, const Affine& to_world,
-                                  const MaterialOverrides& overrides, ShapeList& shapes);
+                                  const Place& place, const Inclusion& inclusion, ShapeList& shapes);
 
 }  // namespace umbral

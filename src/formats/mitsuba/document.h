@@ -24,6 +24,7 @@ struct Document {
   Element root;
   std::map<std::string, const Element*> by_id;
   std::vector<std::filesystem::path> folders;  // where files are looked for, the last one first
+  Affine to_world = {};                        // from the document's own world
 
   // The file of that name in one of the folders, or in the first if it is in none.
   std::filesystem::path find(const std::string& name) const;

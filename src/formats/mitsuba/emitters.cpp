@@ -49,14 +49,15 @@ void Emitters::add() {
 }
 
 void Emitters::point() {
-  const Vec3d position = properties_.has("position") ? properties_.vector("position", Vec3d(0))
-                                                     : properties_.transform("to_world").offset;
+  const Vec3d position = properties_.has("position")
+                             ? document_.to_world.point(properties_.vector("position", Vec3d(0)))
+                             : properties_.placed().offset;
   builder_.lights.push_back(
       PointLight{Vec3(position), light_color(builder_, properties_, "intensity", white)});
 }
 
 void Emitters::spot() {
-  const Affine to_world = properties_.transform("to_world");
+  const Affine to_world = properties_.placed();
   SpotLight light;
   light.position = Vec3(to_world.offset);
   light.target = Vec3(to_world.point({0, 0, 1}));
@@ -100,8 +101,9 @@ void Emitters::throw_image(const Element& texture, const Affine& to_world, SpotL
 }
 
 void Emitters::directional() {
-  const Vec3d direction = properties_.has("direction") ? properties_.vector("direction", {0, 0, 1})
-                                                       : properties_.transform("to_world").vector({0, 0, 1});
+  const Vec3d direction = properties_.has("direction")
+                              ? document_.to_world.vector(properties_.vector("direction", {0, 0, 1}))
+                              : properties_.placed().vector({0, 0, 1});
   if (!(glm::length(direction) > 0)) {
     builder_.diagnostics.error(properties_.place(), "a directional emitter has no direction");
     return;
@@ -127,7 +129,7 @@ void Emitters::constant() {
 // Mitsuba's middle column is seen along its +z, umbral's along −z; both have y up: half a turn.
 void Emitters::environment_map() {
   const std::string file = properties_.text("filename", "");
-  const Affine to_world = properties_.transform("to_world");
+  const Affine to_world = properties_.placed();
   const auto scale = static_cast<float>(properties_.number("scale", 1));
   if (!take_environment()) return;
   EnvironmentLight light;

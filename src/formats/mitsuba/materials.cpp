@@ -24,11 +24,14 @@ Material one_sided(const Lobes& lobe) {
 }  // namespace
 
 MaterialId Materials::standard() {
+  if (overrides_.all) return *overrides_.all;
   if (!standard_) standard_ = builder_.add(one_sided(Lambert{grey(0.5f)}), document_.root.place);
   return *standard_;
 }
 
 MaterialId Materials::convert(const Element& bsdf) {
+  if (!bsdf.id.empty()) seen_.insert(bsdf.id);
+  if (const auto override = overrides_.find(bsdf.id); override && bsdf.type != "null") return *override;
   const auto [at, is_new] = converted_.emplace(&bsdf, MaterialId::none);
   if (!is_new) return at->second;
   Draft draft = this->draft(bsdf);

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "formats/assembly/inclusion.h"
 #include "formats/mitsuba/textures.h"
 #include "formats/translation/facet_widths.h"
 
@@ -11,13 +12,16 @@ namespace umbral::mitsuba_file {
 
 class Materials {
  public:
-  Materials(SceneBuilder& builder, const Document& document, Textures& textures)
-      : builder_(builder), document_(document), textures_(textures) {}
+  Materials(SceneBuilder& builder, const Document& document, Textures& textures,
+            const MaterialOverrides& overrides)
+      : builder_(builder), document_(document), textures_(textures), overrides_(overrides) {}
 
-  // Each BSDF is converted once; none where light passes unseen.
+  // Each BSDF is converted once, or overridden by its id; none where light passes unseen.
   MaterialId convert(const Element& bsdf);
   // What shapes without a BSDF are of: grey, diffuse.
   MaterialId standard();
+  // The ids of those that were converted or overridden.
+  std::vector<std::string> seen() const { return {seen_.begin(), seen_.end()}; }
 
  private:
   struct Draft {
@@ -47,6 +51,8 @@ class Materials {
   SceneBuilder& builder_;
   const Document& document_;
   Textures& textures_;
+  const MaterialOverrides& overrides_;
+  std::set<std::string> seen_;
   std::map<const Element*, MaterialId> converted_;
   std::optional<MaterialId> standard_;
   std::set<const Element*> being_drafted_;

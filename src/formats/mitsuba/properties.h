@@ -36,6 +36,8 @@ class Properties {
   Vec3d vector(const std::string& name, const Vec3d& otherwise) const;
   // To the world, as its operations follow each other; the identity where there is none.
   Affine transform(const std::string& name) const;
+  // That named "to_world", and on to where the document's world stands in the scene's.
+  Affine placed() const { return document_.to_world * transform("to_world"); }
 
   void ignore(std::initializer_list<const char*> names) const;
   void lacks(const std::string& name, const std::string& what) const;

@@ -28,15 +28,16 @@ void expect_images(SceneBuilder& builder, const Document& document, const Elemen
                        linear ? ColorSpace::linear : ColorSpace::automatic);
 }
 
-}  // namespace
-
-void read_scene(const std::filesystem::path& path, const IntegratorKinds& integrators, SceneBuilder& builder,
-                SceneFile& result) {
-  const Document document = read_document(builder, path, builder.options.definitions);
+// As read_scene() and add_scene() of the header.
+std::vector<std::string> read(SceneBuilder& builder, const std::filesystem::path& path,
+                              const Inclusion& inclusion, const IntegratorKinds& integrators,
+                              SceneFile& result) {
+  Document document = read_document(builder, path, builder.options.definitions);
+  document.to_world = inclusion.to_world;
   expect_images(builder, document, document.root);
   Settings settings(builder, document, result);
   Textures textures(builder, document);
-  Materials materials(builder, document, textures);
+  Materials materials(builder, document, textures, inclusion.overrides);
   Shapes shapes(builder, document, materials, textures);
   for (const Element& element : document.root.children) {
     if (element.tag == "integrator")
@@ -52,6 +53,20 @@ void read_scene(const std::filesystem::path& path, const IntegratorKinds& integr
       builder.lacks(element.place, fmt::format("<{}> in a scene", element.tag));
   }
   settings.finish(integrators);
+  return materials.seen();
+}
+
+}  // namespace
+
+void read_scene(const std::filesystem::path& path, const IntegratorKinds& integrators, SceneBuilder& builder,
+                SceneFile& result) {
+  read(builder, path, {}, integrators, result);
+}
+
+std::vector<std::string> add_scene(SceneBuilder& builder, const std::filesystem::path& path,
+                                   const Inclusion& inclusion) {
+  SceneFile no_settings;
+  return read(builder, path, inclusion, {}, no_settings);
 }
 
 }  // namespace umbral::mitsuba_file

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "formats/assembly/inclusion.h"
 #include "formats/assembly/scene_builder.h"
 #include "formats/scene_file.h"
 
@@ -12,5 +13,9 @@ namespace umbral::mitsuba_file {
 // not supported is told to the builder's diagnostics; only what cannot be parsed throws SceneError.
 void read_scene(const std::filesystem::path& path, const IntegratorKinds& integrators, SceneBuilder& builder,
                 SceneFile& result);
+
+// The same into the world of a scene that has settings of its own. Returns the ids of the BSDFs that are seen.
+std::vector<std::string> add_scene(SceneBuilder& builder, const std::filesystem::path& path,
+                                   const Inclusion& inclusion);
 
 }  // namespace umbral::mitsuba_file

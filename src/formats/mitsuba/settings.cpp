@@ -64,7 +64,8 @@ void Settings::sensor(const Element& element) {
   const bool orthographic = element.type == "orthographic";
   if (element.type != "perspective" && element.type != "thinlens" && !orthographic)
     return builder_.lacks(element.place, fmt::format("a sensor of type '{}'", element.type));
-  if (builder_.has_camera) return builder_.lacks(element.place, "a second sensor");
+  if (has_sensor_) return builder_.lacks(element.place, "a second sensor");
+  has_sensor_ = true;
   result_.film.width = 768;
   result_.film.height = 576;
   result_.sampling.spp = 4;
@@ -77,7 +78,9 @@ void Settings::sensor(const Element& element) {
   }
   const double aspect = static_cast<double>(result_.film.width) / result_.film.height;
   PlacedCamera camera;
-  camera.to_world = properties.transform("to_world");
+  camera.name = element.id.empty() ? std::filesystem::path(element.place.where.file).stem().string() : element.id;
+  camera.aspect = aspect;
+  camera.to_world = properties.placed();
   camera.to_world.linear[0] *= -1;  // Mitsuba's x is to the left
   camera.orthographic = orthographic;
   camera.half_height = (orthographic ? 1 : horizontal_slope(properties, aspect)) / aspect;

@@ -26,6 +26,7 @@ class Settings {
   const Document& document_;
   SceneFile& result_;
   int max_depth_ = 0;
+  bool has_sensor_ = false;
 };
 
 }  // namespace umbral::mitsuba_file

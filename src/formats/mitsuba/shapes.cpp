@@ -40,7 +40,8 @@ void Shapes::add(const Element& element, ShapeList& shapes) {
     for (const Element* part : properties.objects("shape")) add(*part, shapes);
     return properties.report_unknown();
   }
-  Affine to_world = properties.transform("to_world");
+  Affine to_world =
+      &shapes == &builder_.world ? properties.placed() : properties.transform("to_world");
   const Element* bsdf = properties.object("bsdf");
   const Element* emitter = properties.object("emitter");
   const MaterialId material = bsdf ? materials_.convert(*bsdf) : materials_.standard();
@@ -120,7 +121,7 @@ void Shapes::add_group(const Properties& properties) {
 }
 
 void Shapes::add_instance(const Properties& properties) {
-  const Affine to_world = properties.transform("to_world");
+  const Affine to_world = properties.placed();
   const Element* group = properties.object("shape");
   properties.ignore({"shapegroup"});
   properties.report_unknown();

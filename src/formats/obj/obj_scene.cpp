@@ -148,10 +148,9 @@ MtlLook ObjScene::new_look(const ObjName& name, std::optional<MaterialId> overri
 }  // namespace
 
 std::vector<std::string> add_obj(SceneBuilder& builder, const std::filesystem::path& path, const Place& place,
-                                 const Affine& to_world, const MaterialOverrides& overrides,
-                                 ShapeList& shapes) {
+                                 const Inclusion& inclusion, ShapeList& shapes) {
   try {
-    return ObjScene(builder, path, place, overrides).add(to_world, shapes);
+    return ObjScene(builder, path, place, inclusion.overrides).add(inclusion.to_world, shapes);
   } catch (const SceneError& error) {
     builder.diagnostics.error(place, error);
     return {};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/assembly/material_overrides.h"
+#include "formats/assembly/inclusion.h"
 #include "formats/assembly/scene_builder.h"
 
 namespace umbral {
@@ -14,7 +14,6 @@ namespace umbral {
 // others have some), and adds its materials. What is wrong is told to the builder's diagnostics, at `place`
 // if the file cannot be opened. Returns the names of the materials that its faces ask for.
 std::vector<std::string> add_obj(SceneBuilder& builder, const std::filesystem::path& path, const Place& place,
-                                 const Affine& to_world, const MaterialOverrides& overrides,
-                                 ShapeList& shapes);
+                                 const Inclusion& inclusion, ShapeList& shapes);
 
 }  // namespace umbral

@@ -26,14 +26,15 @@ bool is_among(const std::string& type, std::span<const char* const> types) {
 
 }  // namespace
 
-Directives::Directives(const std::filesystem::path& path, const IntegratorKinds& integrators,
-                       SceneBuilder& builder, SceneFile& result)
-    : integrators_(integrators),
+Directives::Directives(const std::filesystem::path& path, Inclusion inclusion,
+                       const IntegratorKinds& integrators, SceneBuilder& builder, SceneFile& result)
+    : inclusion_(std::move(inclusion)),
+      integrators_(integrators),
       builder_(builder),
       folder_(path.parent_path()),
       settings_(builder, result),
       textures_(builder, folder_),
-      materials_(builder, textures_),
+      materials_(builder, textures_, inclusion_.overrides),
       lights_(builder, folder_),
       shapes_(builder, folder_, materials_, textures_) {
   state_.material = materials_.standard();

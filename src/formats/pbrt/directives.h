@@ -25,13 +25,15 @@ struct GraphicsState {
 
 class Directives {
  public:
-  Directives(const std::filesystem::path& path, const IntegratorKinds& integrators, SceneBuilder& builder,
-             SceneFile& result);
+  Directives(const std::filesystem::path& path, Inclusion inclusion, const IntegratorKinds& integrators,
+             SceneBuilder& builder, SceneFile& result);
 
   // `text` is what stands in the file. Throws SceneError at mistakes of syntax.
   void read(const std::filesystem::path& path, std::string text);
   // After the whole file.
   void finish();
+  // The names of those that shapes asked for.
+  std::vector<std::string> materials_seen() const { return materials_.seen(); }
 
  private:
   using Directive = void (Directives::*)(const Token&);
@@ -50,6 +52,10 @@ class Directives {
   void push(char kind);
   void pop(char kind, const Token& at);
   void transform(const Affine& map) { state_.to_world = state_.to_world * map; }
+  // Where things stand: in the world of the whole scene, or in an object.
+  Affine placed() const {
+    return open_object_ ? state_.to_world : inclusion_.to_world * state_.to_world;
+  }
 
   void attribute_begin(const Token&) { push('A'); }
   void attribute_end(const Token& at) { pop('A', at); }
@@ -95,6 +101,7 @@ class Directives {
   void object_end(const Token&);
   void object_instance(const Token&);
 
+  Inclusion inclusion_;
   const IntegratorKinds& integrators_;
   SceneBuilder& builder_;
   std::filesystem::path folder_;

@@ -116,7 +116,7 @@ void Directives::integrator(const Token& at) {
 
 void Directives::camera(const Token& at) {
   std::string kind = text();
-  settings_.camera(std::move(kind), parameters(at), state_.to_world);
+  settings_.camera(std::move(kind), parameters(at), state_.to_world * inverse(inclusion_.to_world));
   systems_["camera"] = inverse(state_.to_world);
 }
 

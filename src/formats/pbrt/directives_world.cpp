@@ -25,7 +25,7 @@ void Directives::texture(const Token& at) {
     fail(at, fmt::format("texture '{}' must be of type \"float\" or \"spectrum\", not \"{}\"", name, type));
   Parameters given = parameters(at, "texture");
   if (kind == "imagemap") expect_image(builder_, folder_, given);
-  textures_.define(tokens_->place(at), name, type == "float", kind, std::move(given), state_.to_world);
+  textures_.define(tokens_->place(at), name, type == "float", kind, std::move(given), placed());
 }
 
 void Directives::material(const Token& at) {
@@ -84,7 +84,7 @@ void Directives::medium_interface(const Token& at) {
 
 void Directives::light_source(const Token& at) {
   const std::string kind = text();
-  lights_.add(kind, parameters(at, "light"), state_.to_world, settings_.exposure());
+  lights_.add(kind, parameters(at, "light"), placed(), settings_.exposure());
 }
 
 void Directives::area_light_source(const Token& at) {
@@ -96,7 +96,7 @@ void Directives::shape(const Token& at) {
   const std::string kind = text();
   const Parameters given = parameters(at, "shape");
   if (!in_world_) fail(at, "shapes must stand after WorldBegin");
-  Surroundings around{state_.to_world, state_.reversed, state_.material, state_.light, state_.inside};
+  Surroundings around{placed(), state_.reversed, state_.material, state_.light, state_.inside};
   ShapeList& shapes = open_object_ ? builder_.objects[*open_object_].content : builder_.world;
   if (open_object_ && !around.light.is_dark()) {
     around.light = {};
@@ -130,7 +130,7 @@ void Directives::object_instance(const Token& at) {
     builder_.diagnostics.error(tokens_->place(at),
                                fmt::format("there is no object '{}'{}", name, suggestion(name, names)));
   } else if (!builder_.objects[index_of(found->second)].content.shapes.empty()) {
-    builder_.instances.push_back({found->second, state_.to_world});
+    builder_.instances.push_back({found->second, placed()});
   }
 }
 

@@ -83,6 +83,8 @@ void Materials::fill(Material& material, const Medium& medium, const Place& plac
 
 MaterialId Materials::convert(const MaterialHandle& material, const Textured<float>& alpha,
                               const Medium* inside, const Place& place) {
+  if (!material->name.empty()) seen_.insert(material->name);
+  if (const auto override = overrides_.find(material->name)) return *override;
   const auto [at, is_new] = material->converted.emplace(
       std::tuple{alpha.value, alpha.map, inside ? inside->name : std::string()}, MaterialId::none);
   if (!is_new) return at->second;

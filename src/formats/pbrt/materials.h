@@ -3,11 +3,13 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "bsdf/conductor.h"
+#include "formats/assembly/inclusion.h"
 #include "formats/pbrt/textures.h"
 #include "formats/translation/facet_widths.h"
 
@@ -31,7 +33,8 @@ struct Medium {
 
 class Materials {
  public:
-  Materials(SceneBuilder& builder, Textures& textures) : builder_(builder), textures_(textures) {}
+  Materials(SceneBuilder& builder, Textures& textures, const MaterialOverrides& overrides)
+      : builder_(builder), textures_(textures), overrides_(overrides) {}
 
   // Diffuse, of reflectance 0.5.
   MaterialHandle standard() const { return standard_; }
@@ -40,9 +43,12 @@ class Materials {
   // The standard one where there is none of that name, which is told.
   MaterialHandle find(const Place& place, const std::string& name) const;
 
-  // `inside` may be null; it is told at `place` where the material cannot hold it.
+  // Or what overrides it. `inside` may be null; it is told at `place` where the material cannot hold it.
   MaterialId convert(const MaterialHandle& material, const Textured<float>& alpha, const Medium* inside,
                      const Place& place);
+
+  // Names of what was converted or overridden.
+  std::vector<std::string> seen() const { return {seen_.begin(), seen_.end()}; }
 
   // A surface that light does not see: it only bounds a medium.
   static bool is_interface(const MaterialDefinition& material) {
@@ -69,7 +75,9 @@ class Materials {
 
   SceneBuilder& builder_;
   Textures& textures_;
+  const MaterialOverrides& overrides_;
   std::map<std::string, MaterialHandle> named_;
+  std::set<std::string> seen_;
   std::vector<const MaterialDefinition*> chain_;  // of mixes that are being converted
   MaterialHandle standard_ = std::make_shared<MaterialDefinition>(MaterialDefinition{"", "diffuse", {}});
 };

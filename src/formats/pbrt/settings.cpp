@@ -149,6 +149,8 @@ void Settings::place() {
   if (std::abs((x1 - x0) / (y1 - y0) - aspect) > 1e-3 * aspect)
     builder_.lacks(parameters.place(), "pixels that are not square");
   PlacedCamera placed;
+  placed.name = std::filesystem::path(parameters.place().where.file).stem().string();
+  placed.aspect = aspect;
   placed.orthographic = orthographic;
   const double unit = orthographic ? 1 : std::tan(glm::radians(fov) / 2);
   placed.to_world = inverse(camera_.from_world);

@@ -28,10 +28,10 @@ void ShapeReader::read_include(const Value& item, const Value::Table& entries, S
   if (!table.has("file")) table.missing("file");
   const Value* material = table.find("material");
   const auto* by_name = table.find_as<Value::Table>("materials", "a table {name_in_the_file = \"our name\"}");
-  MaterialOverrides overrides;
-  if (material) overrides.all = materials_.find(*material);
-  if (by_name) overrides.by_name = read_overrides(*by_name);
-  const Affine to_world = read_transform(table);
+  Inclusion inclusion;
+  if (material) inclusion.overrides.all = materials_.find(*material);
+  if (by_name) inclusion.overrides.by_name = read_overrides(*by_name);
+  inclusion.to_world = read_transform(table);
   table.finish();
   if (!file) return;
   const std::filesystem::path path = (folder_ / *file).lexically_normal();
@@ -42,7 +42,7 @@ void ShapeReader::read_include(const Value& item, const Value::Table& entries, S
                      "'materials' has no effect: the file names no materials");
     if (!material) return table.missing("material");
   }
-  const std::vector<std::string> names = add_model(builder_, path, place, to_world, overrides, shapes);
+  const std::vector<std::string> names = add_model(builder_, path, place, inclusion, shapes);
   const bool failed = names.empty() && context_.diagnostics.has_errors();
   if (by_name && !failed && !is_plain_mesh(path)) check_overrides(*by_name, names);
 }

@@ -162,6 +162,9 @@ bool LightReader::claims_environment(const TableReader& table) {
         fmt::format("there can be one environment only; another is in line {}", *environment_line_));
     return false;
   }
+  if (builder_.environment)
+    context_.diagnostics.warning(table.place(),
+                                 "this environment takes the place of that of an included file");
   environment_line_ = table.place().where.line;
   return true;
 }

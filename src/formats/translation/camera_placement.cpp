@@ -16,7 +16,7 @@ void place_camera(SceneBuilder& builder, const PlacedCamera& placed, const Place
   if (off(dot(right, up)) || off(dot(right, view)) || off(dot(up, view)) ||
       off(dot(right, right) - scale * scale) || off(dot(up, up) - scale * scale))
     builder.lacks(place, "a camera that is stretched or sheared by its transform");
-  CameraSettings& camera = builder.camera;
+  CameraSettings camera;
   const Vec3d forward = view / scale;
   camera.position = Vec3(placed.to_world.offset);
   // As far as the position is from the origin, so that neither loses the other's digits.
@@ -31,7 +31,7 @@ void place_camera(SceneBuilder& builder, const PlacedCamera& placed, const Place
   camera.shift = Vec2(placed.center / (2 * placed.half_height));
   camera.lens_radius = static_cast<float>(placed.lens_radius * scale);
   camera.focus_distance = static_cast<float>(placed.focus_distance * scale);
-  builder.has_camera = true;
+  builder.add_camera({placed.name, camera, static_cast<float>(placed.aspect)});
 }
 
 }  // namespace umbral

@@ -1,4 +1,4 @@
-// Which of a scene's own materials stand in the place of those of a file that it includes.
+// How a file of another program comes into a scene.
 #pragma once
 
 #include <map>
@@ -6,10 +6,11 @@
 #include <string>
 
 #include "scene/ids.h"
+#include "scene/transform.h"
 
 namespace umbral {
 
-// Emission stays the file's.
+// Which of the scene's own materials stand in the place of the file's. Emission stays the file's.
 struct MaterialOverrides {
   std::optional<MaterialId> all;
   std::map<std::string, MaterialId> by_name;  // of the file's materials
@@ -18,6 +19,11 @@ struct MaterialOverrides {
     const auto named = by_name.find(name);
     return named == by_name.end() ? all : named->second;
   }
+};
+
+struct Inclusion {
+  Affine to_world = {};  // from the file's own world
+  MaterialOverrides overrides = {};
 };
 
 }  // namespace umbral
