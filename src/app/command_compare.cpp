@@ -124,6 +124,7 @@ void add_options(CLI::App& compare, Arguments& a) {
   compare.add_option("--exact", inputs.exact, "take the EXR a or b for the truth, without error")
       ->check(CLI::IsMember({"a", "b"}));
   add_variant_options(compare, inputs.variants);
+  add_read_options(compare, inputs.read);
   compare.add_option("--replicates", inputs.replicates, "renders of either side of a scene; default 16")
       ->check(CLI::Range(2, 1024));
   compare.add_option("--spp", inputs.spp, "samples per pixel of each of these renders")

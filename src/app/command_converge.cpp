@@ -27,6 +27,7 @@ struct Arguments {
   std::string html, svg, json, junit;
   int threads = 0;
   bool quiet = false;
+  ReadOptions read;
 };
 
 // "4..1024": at least three numbers of samples, each twice the one before.
@@ -145,7 +146,8 @@ int command(Arguments arguments) {
   arguments.settings.clock = arguments.clock == "cpu" ? Clock::cpu : Clock::wall;
   if (!arguments.target_error.empty())
     arguments.expectations.target_error = parsed_share(arguments.target_error, "--target-error");
-  LoadedScene loaded = load_scene(arguments.scene, {}, arguments.quiet);
+  LoadedScene loaded = load_scene(arguments.scene, arguments.read, arguments.quiet);
+  if (!arguments.quiet) print_warnings(loaded.file);
   const std::vector<Variant> all = variants_of(arguments, loaded);
   require_variants_of(arguments.expectations, all);
   arguments.settings.reference = reference_of(arguments, loaded, all[0].film);
@@ -174,6 +176,7 @@ int command(Arguments arguments) {
 void add_render_options(CLI::App& converge, Arguments& a) {
   converge.add_option("scene", a.scene, scene_help())->required();
   add_variant_options(converge, a.variants);
+  add_read_options(converge, a.read);
   converge.add_option("--replicates", a.settings.replicates, "independent renders of each number of samples")
       ->check(CLI::Range(16, 1024))
       ->capture_default_str();

@@ -95,11 +95,6 @@ std::string chosen_integrator(const Arguments& arguments, const LoadedScene& loa
   refuse("there is no integrator '" + arguments.integrator + "'" + suggestion(arguments.integrator, kinds));
 }
 
-void print_warnings(const SceneFile& file, bool quiet) {
-  if (quiet) return;
-  for (const Diagnostic& warning : file.warnings) fmt::print(stderr, "{}\n", warning.text());
-}
-
 RenderResult run(const Scene& scene, Integrator& integrator, const RenderOptions& options, bool quiet) {
   const WatchedRender watched(quiet, options.relative_error);
   return render(scene, integrator, options, watched.hooks());
@@ -161,7 +156,7 @@ int command(const Arguments& arguments) {
                       render_options(arguments, loaded.file),
                       loaded.file.left_out,
                       loaded.file.approximated};
-  print_warnings(loaded.file, arguments.quiet);
+  if (!arguments.quiet) print_warnings(loaded.file);
   const Scene scene = built_scene(std::move(loaded.file.scene), without_progress);
 
   if (!arguments.pixel.empty()) {

@@ -5,6 +5,8 @@
 #include <malloc.h>
 #endif
 
+#include <fmt/format.h>
+
 #include "app/loading_progress.h"
 #include "app/parameter_text.h"
 #include "scene/relative_to_camera.h"
@@ -27,6 +29,10 @@ LoadedScene load_scene(const std::string& path, ReadOptions options, bool quiet)
   malloc_trim(0);  // what reading took and left would stand beside the hierarchy of boxes while that is built
 #endif
   return loaded;
+}
+
+void print_warnings(const SceneFile& file) {
+  for (const Diagnostic& warning : file.warnings) fmt::print(stderr, "{}\n", warning.text());
 }
 
 Scene built_scene(SceneDescription description, bool quiet) {

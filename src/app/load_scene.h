@@ -20,6 +20,9 @@ struct LoadedScene {
 // Throws SceneError, as read_scene_file() does. Unless `quiet`, stderr tells what takes long.
 LoadedScene load_scene(const std::string& path, ReadOptions options = {}, bool quiet = true);
 
+// The file's warnings, on stderr.
+void print_warnings(const SceneFile& file);
+
 // The scene ready for rays, as the camera sees it; likewise.
 Scene built_scene(SceneDescription description, bool quiet);
 

@@ -66,6 +66,17 @@ void refuse_unknown_option(const CLI::App& app) {
     if (word.starts_with("--")) refuse_name("option", word.substr(0, word.find('=')), names);
 }
 
+// CLI11 would take the option that follows for the value that was forgotten.
+void refuse_options_as_values(CLI::App& app) {
+  const CLI::Validator no_option(
+      [](std::string& text) {
+        return text.starts_with("--") ? "wants a value before '" + text + "'" : std::string();
+      },
+      "");
+  for (CLI::App* command : app.get_subcommands({}))
+    for (CLI::Option* option : command->get_options()) option->check(no_option);
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"umbral: a Monte Carlo path tracer that knows its own error", "umbral"};
   app.set_version_flag("--version", umbral::version);
@@ -80,6 +91,7 @@ int run(int argc, char** argv) {
   umbral::add_compare_command(app, exit_code);
   umbral::add_converge_command(app, exit_code);
   umbral::add_help_command(app, exit_code);
+  refuse_options_as_values(app);
   if (argc < 2) {
     fmt::print(stderr, "{}", app.help());
     return umbral::exit_bad_input;

@@ -222,6 +222,8 @@ TEST_F(Cli, BadArgumentsAreRefusedWithTheNearestName) {
   refused("--versio", "there is no option '--versio'; did you mean '--version'?");
   refused("converge room.toml --seed -1", "--seed: wants a whole number, 0 or above, not '-1'");
   refused("converge room.toml --time-limit -3", "--time-limit: wants a number above 0, not '-3'");
+  refused("render room.toml --env --spp 1", "--env: wants a value before '--spp'");
+  refused("check nosuch", "nosuch: error: cannot be read: No such file or directory");
   refused("render room.toml --integrator pth", "there is no integrator 'pth'; did you mean 'path'?");
   refused("render room.toml --sampler sobl", "did you mean 'sobol'?");
   refused("render room.toml --size 0x5", "--size wants WIDTHxHEIGHT");

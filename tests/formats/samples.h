@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -252,6 +253,9 @@ struct Sample {
   const char* scene;  // by which it is read: itself, or one that names it
   std::string bytes;
 };
+
+// What GoogleTest calls it.
+inline void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.file; }
 
 inline std::vector<Sample> samples() {
   return {{"scene.toml", "scene.toml", toml_scene},

@@ -124,7 +124,8 @@ struct LoadedVariants {
 };
 
 LoadedVariants load(const std::string& path, const CompareInputs& inputs, std::size_t count, bool quiet) {
-  LoadedScene loaded = load_scene(path, {}, quiet);
+  LoadedScene loaded = load_scene(path, inputs.read, quiet);
+  if (!quiet) print_warnings(loaded.file);
   std::vector<Variant> made = variants(loaded, inputs.variants);
   if (count == 2) require_several(made);
   if (made.size() > count)

@@ -20,6 +20,7 @@ struct CompareInputs {
   VariantArguments variants;
   std::string layer, exact;  // of files; "a" or "b"
   // Of renders.
+  ReadOptions read;
   int replicates = 16;
   std::optional<int> spp;
   std::string size;
