@@ -35,13 +35,26 @@ void require_few_texels(const OIIO::ImageSpec& spec, const std::string& path) {
                                          spec.width, spec.height, most_texels));
 }
 
-// A packet of TGA's run-length code is 128 texels at most, and OpenImageIO makes room for all that a header claims.
+struct Packing {
+  std::string_view format;
+  std::int64_t texels_per_byte;  // at most
+};
+
+constexpr Packing packings[] = {
+    {"targa", 128},    // in a packet of its run-length code
+    {"jpeg", 512},     // 8 × 8 texels are a bit at least, by Huffman's codes
+    {"png", 8 * 1032}, // a texel is a bit at least, and zlib packs to 1/1032 at most
+    {"hdr", 8192},     // runs of its older kind, the next one counting 256-fold
+};
+
+// OpenImageIO makes room for all that a damaged header claims, and may take minutes to find out that it is not there.
 void require_plausible(const OIIO::ImageInput& input, std::size_t bytes, const std::string& path) {
   const OIIO::ImageSpec& spec = input.spec();
-  if (std::string_view(input.format_name()) != "targa") return;
-  if (std::int64_t{spec.width} * spec.height / 128 > static_cast<std::int64_t>(bytes))
-    throw SceneError({path}, fmt::format("the image is damaged: its {} bytes cannot hold {} x {} texels",
-                                         bytes, spec.width, spec.height));
+  for (const Packing& packing : packings)
+    if (packing.format == input.format_name() &&
+        std::int64_t{spec.width} * spec.height / packing.texels_per_byte > static_cast<std::int64_t>(bytes))
+      throw SceneError({path}, fmt::format("the image is damaged: its {} bytes cannot hold {} x {} texels",
+                                           bytes, spec.width, spec.height));
 }
 
 // Some readers fill what a truncated file lacks with grey and leave a message: that is an error too.

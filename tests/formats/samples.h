@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/gltf_kit.h"
+#include "formats/sample_images.h"
 
 namespace umbral::test {
 
@@ -108,7 +109,7 @@ inline constexpr const char* obj_scene =
 inline constexpr const char* mtl_scene =
     "newmtl m\nKd 0.5 0.5 0.5\nKs .2 .2 .2\nNs 1e2\nd 0.5\nNi 1.5\nillum 2\nKe 1 1 1\nmap_Kd -s 1 2 3 -o 1 "
     "t.tga\n"
-    "map_d -imfchan r t.pfm\nPr 1\n";
+    "map_d -imfchan r t.pfm\nPr 1\nmap_Pr t.jpg\nmap_Ks t.png\nmap_Ke t.hdr\n";
 
 inline constexpr const char* pbrt_scene = R"(LookAt 0 1 4  0 1 0  0 1 0
 Film "rgb" "integer xresolution" [ 64 ] "integer yresolution" 32 # small
@@ -246,8 +247,6 @@ inline constexpr const char* uses_serialized =
 inline constexpr const char* luminaire =
     "IESNA:LM-63-2002\n[TEST] none\nTILT=NONE\n1 1000 2.0 3 1 1 2 0 0,0\n0.5 1.0 30\n0 60 90\n0\n100 40 10\n";
 
-inline std::string pfm() { return "Pf\n2 1\n-1\n" + bytes_of<float>({0.25f, 1}); }
-
 struct Sample {
   const char* file;   // its ending names its kind; textures are called t
   const char* scene;  // by which it is read: itself, or one that names it
@@ -273,7 +272,10 @@ inline std::vector<Sample> samples() {
           {"uses_serialized.xml", "uses_serialized.xml", uses_serialized},
           {"l.ies", "scene.toml", luminaire},
           {"t.tga", "m.obj", tga(4, 4, 10, 20, 30, 40)},
-          {"t.pfm", "m.obj", pfm()}};
+          {"t.pfm", "m.obj", pfm()},
+          {"t.hdr", "m.obj", hdr()},
+          {"t.png", "m.obj", png()},
+          {"t.jpg", "m.obj", jpeg()}};
 }
 
 // The first whose file has this ending; throws std::out_of_range where there is none.

@@ -217,11 +217,23 @@ TEST_F(TextureLoader, DamagedFilesNeverCrash) {
 }
 
 TEST_F(TextureLoader, AbsurdlyLargeImagesAreRefusedBeforeTheyAreRead) {
-  put_bytes(path("a.hdr"),
-            "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 60138 +X 60138\n" + std::string(100, '\1'));
+  const auto put_hdr = [&](std::size_t bytes) {
+    put_bytes(path("a.hdr"),
+              "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 60138 +X 60138\n" + std::string(bytes, '\1'));
+  };
+  put_hdr(500000);
   EXPECT_THAT(refusal("a.hdr"),
               HasSubstr("the image has 60138 x 60138 texels, more than the 536870912 supported"));
-  // OpenImageIO would take 10 GB for this one before it reads a texel.
+  put_hdr(100);
+  EXPECT_THAT(refusal("a.hdr"), HasSubstr("bytes cannot hold 60138 x 60138 texels"));
+  // OpenImageIO would take two minutes for this one, and 10 GB for the next.
+  write_image(path("a.jpg"), 8, 8, 3, OIIO::TypeDesc::UINT8, std::vector<float>(192, 0.5f));
+  std::string jpeg = bytes_of(path("a.jpg"));
+  const std::size_t frame = jpeg.find("\xff\xc0");
+  ASSERT_NE(frame, std::string::npos);
+  for (std::size_t i = frame + 5; i < frame + 9; ++i) jpeg[i] = static_cast<char>(0xea);  // 60138 × 60138
+  put_bytes(path("a.jpg"), jpeg);
+  EXPECT_THAT(refusal("a.jpg"), HasSubstr("bytes cannot hold 60138 x 60138 texels"));
   write_image(path("a.tga"), 2, 2, 3, OIIO::TypeDesc::UINT8, four);
   std::string bytes = bytes_of(path("a.tga"));
   bytes[12] = bytes[13] = bytes[14] = bytes[15] = static_cast<char>(0xea);  // 60138 × 60138, little endian
