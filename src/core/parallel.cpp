@@ -6,8 +6,24 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#ifdef UMBRAL_SANITIZE_THREAD
+#include <sanitizer/tsan_interface.h>
+#endif
 
 namespace umbral {
+namespace {
+
+// TBB is not built for the thread sanitizer, which has to be told that a loop comes after what stands before it, and before
+// what follows: what is handed over at one address happens before what is received there.
+#ifdef UMBRAL_SANITIZE_THREAD
+void hand_over(void* address) { __tsan_release(address); }
+void receive(void* address) { __tsan_acquire(address); }
+#else
+void hand_over(void*) {}
+void receive(void*) {}
+#endif
+
+}  // namespace
 
 struct ThreadLimit::Impl {
   tbb::global_control control;
@@ -22,7 +38,15 @@ ThreadLimit::ThreadLimit(int threads)
 ThreadLimit::~ThreadLimit() = default;
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
-  tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner());
+  char begin = 0, end = 0;
+  hand_over(&begin);
+  const auto handed_body = [&](std::size_t i) {
+    receive(&begin);
+    body(i);
+    hand_over(&end);
+  };
+  tbb::parallel_for(std::size_t{0}, count, handed_body, tbb::simple_partitioner());
+  receive(&end);
 }
 
 }  // namespace umbral
