@@ -207,7 +207,7 @@ TEST_P(SceneStoppedByError, HasTheErrorAsked) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneStoppedByError,
                          testing::Values(SceneCase{"cornell", cornell_room, 0.2},
                                          SceneCase{"sphere_interior", textured_sphere_interior, 0.05},
-                                         SceneCase{"open_air", open_air, 0.1}),
+                                         SceneCase{"open_air", open_air, 0.05}),
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

@@ -135,6 +135,27 @@ TEST(LightChoice, NeverForgetsASmallLamp) {
   EXPECT_GT(probabilities(scene)[1], 1e-3);
 }
 
+// One lamp under a sky whose power, over all the scene, is a hundred times as much: the tree leaves neither to less than a
+// quarter.
+TEST(LightChoice, NeverForgetsTheOnlyLampUnderASky) {
+  SceneDescription description;
+  const MaterialId matte = add_matte(description, grey(0.5f));
+  add_shape(description, rectangle({-10, -10, 0}, {20, 0, 0}, {0, 20, 0}), matte);
+  description.lights.emplace_back(PointLight{{0, 0, 1}, grey(1)});
+  description.environment.emplace();
+  description.environment->prepare();
+  const Scene scene(std::move(description));
+  const LightReceiver under{{0, 0, 0}, {0, 0, 1}};
+  const auto expect = [&](LightSelection selection, float u, int light, float probability) {
+    const LightChoice choice = scene.choose_light(selection, under, u);
+    EXPECT_EQ(choice.light, static_cast<LightId>(light));
+    EXPECT_NEAR(choice.probability, probability, 0.01);
+  };
+  expect(LightSelection::tree, 0.74f, 1, 0.75f);
+  expect(LightSelection::tree, 0.76f, 0, 0.25f);
+  expect(LightSelection::power, 0.01f, 0, 0.05f);
+}
+
 // A texture that shines in one spot only, between the places at which its power is estimated.
 TEST(LightChoice, NeverForgetsATextureThatShinesInASpot) {
   SceneDescription description;

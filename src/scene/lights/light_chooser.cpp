@@ -40,7 +40,7 @@ void LightChooser::plant(const std::vector<LightFacts>& lights) {
     (has_place ? here : far) += light.power;
     placed += has_place ? 1 : 0;
   }
-  if (placed < 2) return;
+  if (placed == 0 || (placed == 1 && !(far > 0))) return;
   tree_ = LightTree(bounds);
   // Which of the two is the brighter one depends on the place; neither is left to less than a quarter.
   if (!(far > 0)) return;

@@ -31,8 +31,8 @@ struct LightFacts {
 };
 
 // A light by one of three rules: all that shine alike; by power, of which a share is dealt alike; or by a tree over those
-// that have a place, beside which those without share a probability of their own by power. With fewer than two lights
-// that have a place the tree is power.
+// that have a place, beside which those without share a probability of their own by power. With no light that has a
+// place, or one that shines in all, the tree is power.
 class LightChooser {
  public:
   LightChooser() = default;
