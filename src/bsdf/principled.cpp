@@ -185,10 +185,8 @@ float Principled::pdf(const Vec3& wo, const Vec3& wi) const {
     if (share > 0) density += share / chances.total * lobe.pdf(o, i);
   });
   density *= chances.parts;
-  if (!same_side(wo, wi)) return density;
-  if (chances.coat > 0)
-    density += chances.coat * PrincipledLayers::coat(*this).pdf(on_side_of(wo, wo), on_side_of(wi, wi));
-  return density + chances.sheen * Fuzz::sample_pdf();
+  if (chances.coat > 0) density += chances.coat * PrincipledLayers::coat_pdf(*this, wo, wi);
+  return same_side(wo, wi) ? density + chances.sheen * Fuzz::sample_pdf() : density;
 }
 
 std::optional<BsdfSample> Principled::sample(const Vec3& wo, float u1, const Vec2& u2) const {
@@ -198,12 +196,10 @@ std::optional<BsdfSample> Principled::sample(const Vec3& wo, float u1, const Vec
   const Chances chances = single ? Chances{} : chances_of(*this, wo);
   float u = u1;
   if (falls_in(chances.coat, u)) {
-    const Skin coat = PrincipledLayers::coat(*this);
-    if (coat.is_smooth())
-      return BsdfSample{
-          {-wo.x, -wo.y, wo.z}, clearcoat * coat.albedo(std::abs(wo.z)) / chances.coat, 0, true};
-    const std::optional<Vec3> wi = coat.sample(on_side_of(wo, wo), u2);
-    return wi ? sample_at(*this, wo, on_side_of(*wi, wo)) : std::nullopt;
+    const std::optional<Vec3> wi = PrincipledLayers::sample_coat(*this, wo, u2);
+    if (!wi) return std::nullopt;
+    if (!PrincipledLayers::coat_is_smooth(*this)) return sample_at(*this, wo, *wi);
+    return BsdfSample{*wi, white * (PrincipledLayers::shares(*this, wo).coat / chances.coat), 0, true};
   }
   if (falls_in(chances.sheen, u)) {
     return sample_at(*this, wo, on_side_of(Fuzz::sample(u2), wo));

@@ -15,6 +15,7 @@ namespace umbral {
 //   f = clearcoat layer + (1 − c R) (sheen layer + (1 − s E) (m metal + (1 − m) ((1 − t) opaque + t clear))).
 // Metal is a Conductor, opaque a Gloss, clear a Dielectric, or a Pane where the wall is thin, each of which keeps its
 // energy. What stands there for (1 − c R) and (1 − s E), so that f is reciprocal: bsdf/principled_layers.h.
+// The clear coat may lean on all the rest: then each is evaluated, with its |cos θi|, about its own normal.
 //
 // Where glTF leaves a choice: F is Fresnel's, for which Schlick's approximation stands there; iridescence is
 // [Belcour and Barla 2017]; anisotropy stretches what is seen through the surface as it does reflections.
@@ -38,6 +39,9 @@ struct Principled {
   float iridescence = 0;
   float iridescence_ior = 1.3f;
   float iridescence_thickness = 400;
+
+  // Of the clearcoat, in the frame whose z is the normal of all the rest; unit. No parameter: a surface tells it.
+  Vec3 clearcoat_normal{0, 0, 1};
 
   static constexpr const char* kind = "principled";
   static constexpr const char* doc =
