@@ -6,9 +6,14 @@
 namespace umbral {
 namespace {
 
-// Whether the shading and the true surface agree on which side `wi` leaves by.
-bool sides_agree(const Surface& surface, const Vec3& wi, const Vec3& local) {
-  return (dot(wi, surface.ng) > 0) == (local.z > 0);
+// Whether the shading and the true surface agree on which side `wi` leaves by; wo and `local`, which is wi, are local. An
+// opaque material whose clearcoat leans on it reflects towards where it faces away itself, too.
+bool sides_agree(const Surface& surface, const Lobes& lobe, const Vec3& wo, const Vec3& wi,
+                 const Vec3& local) {
+  const bool outside = dot(wi, surface.ng) > 0;
+  if (outside == (local.z > 0)) return true;
+  const bool coat_leans = (surface.detail & surface_detail::clearcoat_normal) != 0;
+  return coat_leans && !transmits(lobe) && outside == (wo.z > 0);
 }
 
 // Probability to go on: the path's weight itself, so that paths that matter little end and the others weigh the
@@ -62,7 +67,7 @@ Spectrum direct(const PathIntegrator& settings, const Scene& scene, const Surfac
   const std::optional<LightSample> sample = scene.sample_light(choice.light, receiver, u);
   if (!sample) return black;
   const Vec3 wi = surface.shading.to_local(sample->wi);
-  if (!sides_agree(surface, sample->wi, wi)) return black;
+  if (!sides_agree(surface, lobe, wo, sample->wi, wi)) return black;
   const Spectrum f_cos = umbral::f_cos(lobe, wo, wi);
   if (is_black(f_cos)) return black;
   const float light_pdf = choice.probability * sample->pdf;
@@ -130,7 +135,7 @@ Spectrum PathIntegrator::radiance(const Scene& scene, const Ray& camera_ray, Sam
     const std::optional<BsdfSample> sample = umbral::sample(lobe, wo, u_lobe, u);
     if (!sample) break;
     const Vec3 wi = surface.shading.to_world(sample->wi);
-    if (!sides_agree(surface, wi, sample->wi)) break;
+    if (!sides_agree(surface, lobe, wo, wi, sample->wi)) break;
     throughput *= sample->weight;
     if (is_black(throughput)) break;
     if (bounces >= roulette_depth) {

@@ -196,7 +196,12 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
   }
   if (placement) move_to_world(s, *placement);
   if (s.ns != s.ng) s.ns = facing_normal(s.ns, s.ng, -glm::normalize(ray.d));
-  Surface surface{s.p, s.ng, frame_from_normal(s.ns), s.uv, 0, piece.material};
+  Surface surface;
+  surface.p = s.p;
+  surface.ng = s.ng;
+  surface.shading = frame_from_normal(s.ns);
+  surface.at.uv = s.uv;
+  surface.material = piece.material;
   surface.detail = piece.detail;
   surface.error = surface_error(s.magnitude) + s.sliver;
   if (piece.emitter != no_index)

@@ -26,6 +26,10 @@ struct Textured {
   TextureId map = TextureId::none;
 
   bool is_constant() const { return map == TextureId::none; }
+  // Whether they are the same everywhere; a value that a texture replaces does not count.
+  bool operator==(const Textured& other) const {
+    return map == other.map && (!is_constant() || value == other.value);
+  }
 };
 
 }  // namespace umbral

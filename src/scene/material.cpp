@@ -9,8 +9,19 @@ unsigned Material::needs(const std::vector<Texture>& textures) const {
     if (map != TextureId::none) needs |= textures[index_of(map)].needs();
   };
   for (const TexturedParameter& map : maps) add(map.texture);
-  for (const TextureId map : {alpha.map, normal_map.map, bump_map.map}) add(map);
+  for (const TextureId map : {alpha.map, normal_map.map, clearcoat_normal_map.map, bump_map.map}) add(map);
   return needs;
+}
+
+bool Material::has_clearcoat_normal() const {
+  const auto* principled = std::get_if<Principled>(&lobe);
+  if (!principled) return false;
+  const auto is_coat = [](const TexturedParameter& map) {
+    return map.set == detail::set_from_texture<&Principled::clearcoat>;
+  };
+  if (principled->clearcoat == 0 && std::none_of(maps.begin(), maps.end(), is_coat)) return false;
+  if (!has_normal_map()) return has_clearcoat_normal_map();
+  return clearcoat_normal_map != normal_map || clearcoat_normal_scale != normal_scale;
 }
 
 Lobes Material::at(const TexturePoint& point, const std::vector<Texture>& textures) const {
@@ -21,7 +32,7 @@ Lobes Material::at(const TexturePoint& point, const std::vector<Texture>& textur
 
 void join_parts(std::vector<Material>& materials) {
   for (Material& material : materials) {
-    material.varies = !material.maps.empty();
+    material.varies = !material.maps.empty() || material.has_clearcoat_normal();
     for (const MaterialPart& part : material.parts) {
       const Material& made = materials[index_of(part.material)];
       part.set(material.lobe, made.lobe);
@@ -30,8 +41,8 @@ void join_parts(std::vector<Material>& materials) {
   }
 }
 
-const Lobes& varying_lobe(const Material& material, const std::vector<Material>& materials,
-                          const TexturePoint& point, const std::vector<Texture>& textures, LobeStack& stack) {
+Lobes& varying_lobe(const Material& material, const std::vector<Material>& materials,
+                    const TexturePoint& point, const std::vector<Texture>& textures, LobeStack& stack) {
   Lobes& lobe = stack.push(material.at(point, textures));
   for (const MaterialPart& part : material.parts) {
     const Material& made = materials[index_of(part.material)];

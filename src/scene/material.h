@@ -53,13 +53,15 @@ struct Material {
   BackSide back = BackSide::same;
 
   Textured<Spectrum> normal_map{
-      level_normal};            // (n + 1)/2 for n in tangent space: x along u, y along v, z outwards
-  float normal_scale = 1;       // of x and y
-  Textured<float> bump_map{0};  // height
-  float bump_scale = 1;         // world units
+      level_normal};       // (n + 1)/2 for n in tangent space: x along u, y along v, z outwards
+  float normal_scale = 1;  // of x and y
+  Textured<Spectrum> clearcoat_normal_map{level_normal};  // the same of a principled material's clearcoat,
+  float clearcoat_normal_scale = 1;                       // which normal_map does not bend
+  Textured<float> bump_map{0};                            // height
+  float bump_scale = 1;                                   // world units
 
   std::vector<MaterialPart> parts = {};  // what the lobe is made of; of those only their lobes count
-  bool varies = false;                   // by a texture of the lobe or of a part; told by join_parts()
+  bool varies = false;  // by a texture of the lobe or of a part, or by another normal; told by join_parts()
 
   // Whether no ray passes, from outside.
   bool is_opaque() const { return alpha.is_constant() && opacity_of(alpha.value) >= 1; }
@@ -70,7 +72,10 @@ struct Material {
     return opacity_of(alpha.is_constant() ? alpha.value : textures[index_of(alpha.map)].number(point));
   }
 
-  bool has_normal_map() const { return !normal_map.is_constant() || normal_map.value != level_normal; }
+  bool has_normal_map() const { return normal_map != Textured<Spectrum>{level_normal}; }
+  bool has_clearcoat_normal_map() const { return clearcoat_normal_map != Textured<Spectrum>{level_normal}; }
+  // Whether there may be a clearcoat whose normal is not that of what it lies on.
+  bool has_clearcoat_normal() const;
   bool has_bump_map() const { return !bump_map.is_constant(); }
   // What the textures of its parameters ask for, of texture_needs; without those of its parts.
   unsigned needs(const std::vector<Texture>& textures) const;
@@ -104,8 +109,8 @@ bool any_part(const Material& material, const std::vector<Material>& materials, 
 void join_parts(std::vector<Material>& materials);
 
 // The lobe of a joined material that varies at a point, in `stack` with those that it is made of.
-const Lobes& varying_lobe(const Material& material, const std::vector<Material>& materials,
-                          const TexturePoint& point, const std::vector<Texture>& textures, LobeStack& stack);
+Lobes& varying_lobe(const Material& material, const std::vector<Material>& materials,
+                    const TexturePoint& point, const std::vector<Texture>& textures, LobeStack& stack);
 
 namespace detail {
 
@@ -128,7 +133,7 @@ void set_from_texture(Lobes& lobe, const Texture& texture, const TexturePoint& p
 
 }  // namespace detail
 
-// Calls visitor(info, value&) for what every material has beside its lobe.
+// Calls visitor(info, value&) for what every material has beside its lobe, and a principled one for its clearcoat.
 template <class Visitor>
 void for_each_common_parameter(Material& material, Visitor&& visitor) {
   visitor(ParameterInfo{"alpha", "opacity: 0 lets every ray pass, 1 none", zero_to_one}, material.alpha);
@@ -142,6 +147,13 @@ void for_each_common_parameter(Material& material, Visitor&& visitor) {
                         zero_to_one},
           material.normal_map);
   visitor(ParameterInfo{"normal_scale", "of the normal map's x and y"}, material.normal_scale);
+  if (std::holds_alternative<Principled>(material.lobe)) {
+    visitor(ParameterInfo{"clearcoat_normal_map", "the same of the clearcoat, which normal_map does not bend",
+                          zero_to_one},
+            material.clearcoat_normal_map);
+    visitor(ParameterInfo{"clearcoat_normal_scale", "of that map's x and y"},
+            material.clearcoat_normal_scale);
+  }
   visitor(ParameterInfo{"bump_map", "height, a texture"}, material.bump_map);
   visitor(ParameterInfo{"bump_scale", "of the height; world units"}, material.bump_scale);
 }

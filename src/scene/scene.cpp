@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "scene/surface_detail.h"
-
 namespace umbral {
 
 Scene::Scene(SceneDescription description)
@@ -59,6 +57,14 @@ void Scene::add_detail(const Ray& ray, const Hit& hit, Surface& surface) const {
   umbral::add_detail(geometry_, materials_[index_of(surface.material)], textures_, ray, hit, surface);
   if ((surface.detail & surface_detail::black_back) != 0 && dot(ray.d, surface.ng) > 0)
     surface.material = black_;
+}
+
+const Lobes& Scene::varying_bsdf(const Material& material, const Surface& surface, LobeStack& storage) const {
+  storage.clear();
+  Lobes& lobe = varying_lobe(material, materials_, surface.at, textures_, storage);
+  if ((surface.detail & surface_detail::clearcoat_normal) != 0)
+    std::get<Principled>(lobe).clearcoat_normal = surface.shading.to_local(surface.clearcoat_normal);
+  return lobe;
 }
 
 LightFacts Scene::facts(const Light& light) const {
@@ -117,7 +123,7 @@ std::vector<std::string> Scene::features() const {
   for (const Material& material : materials_) {
     if (!material.is_opaque()) names.insert("alpha");
     if (material.back != BackSide::same) names.insert("one-sided materials");
-    if (material.has_normal_map()) names.insert("normal maps");
+    if (material.has_normal_map() || material.has_clearcoat_normal_map()) names.insert("normal maps");
     if (material.has_bump_map()) names.insert("bump maps");
     names.insert(std::visit([](const auto& lobe) { return std::string(lobe.kind); }, material.lobe));
   }

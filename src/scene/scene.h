@@ -10,6 +10,7 @@
 #include "scene/accel.h"
 #include "scene/description.h"
 #include "scene/lights/lights.h"
+#include "scene/surface_detail.h"
 
 namespace umbral {
 
@@ -31,12 +32,10 @@ class Scene {
     if (surface.detail != 0) add_detail(ray, hit, surface);
     return surface;
   }
-  // The lobe at `surface`: the material's own, or, where textures replace parameters, a copy of it in `storage`.
+  // The lobe at `surface`: the material's own, or, where something of it varies, a copy of it in `storage`.
   const Lobes& bsdf(const Surface& surface, LobeStack& storage) const {
     const Material& material = materials_[index_of(surface.material)];
-    if (!material.varies) return material.lobe;
-    storage.clear();
-    return varying_lobe(material, materials_, surface.at, textures_, storage);
+    return material.varies ? varying_bsdf(material, surface, storage) : material.lobe;
   }
 
   // Radiance that leaves `surface` towards `wo` by emission; wo: unit, world, away from the surface.
@@ -82,6 +81,7 @@ class Scene {
  private:
   void mark_details();
   void add_detail(const Ray& ray, const Hit& hit, Surface& surface) const;
+  const Lobes& varying_bsdf(const Material& material, const Surface& surface, LobeStack& storage) const;
   const AreaLight& area_light(LightId light) const { return std::get<AreaLight>(lights_[index_of(light)]); }
   LightFacts facts(const Light& light) const;
 

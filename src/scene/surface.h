@@ -26,6 +26,8 @@ struct Surface {
   MaterialId material = MaterialId::none;
   LightId light = LightId::none;
   unsigned detail = 0;  // what its material asks for beyond this (surface_detail)
+  Vec3
+      clearcoat_normal;  // as that of `shading`, of a clearcoat that has one of its own; set by its detail alone
 
   // Where rays leave towards `direction`: p moved along ng out of the reach of its own error.
   Vec3 origin_towards(const Vec3& direction) const {

@@ -43,15 +43,13 @@ std::optional<Tangents> tangents_of(const LocalChart& chart, const Textured<Spec
   return tangents(chart, texture.placed(chart.d[0]) - origin, texture.placed(chart.d[1]) - origin);
 }
 
-Vec3 with_normal_map(const Vec3& n, const LocalChart& chart, const TexturePoint& at, const Material& material,
+Vec3 with_normal_map(const Vec3& n, const LocalChart& chart, const Textured<Spectrum>& map, float scale,
                      const std::vector<Texture>& textures) {
-  const std::optional<Tangents> along = tangents_of(chart, material.normal_map, textures);
+  const std::optional<Tangents> along = tangents_of(chart, map, textures);
   const std::optional<Frame> frame = along ? tangent_frame(n, *along) : std::nullopt;
   if (!frame) return n;
-  const Spectrum code = value_at(material.normal_map, at, textures);
-  const Vec3 local = 2.0f * Vec3(code) - 1.0f;
-  const Vec3 mapped =
-      frame->to_world({local.x * material.normal_scale, local.y * material.normal_scale, local.z});
+  const Vec3 local = 2.0f * Vec3(value_at(map, chart.at, textures)) - 1.0f;
+  const Vec3 mapped = frame->to_world({local.x * scale, local.y * scale, local.z});
   const float length = glm::length(mapped);
   return length > 1e-6f ? mapped / length : n;
 }
@@ -81,6 +79,16 @@ Vec3 with_bump_map(const Vec3& n, const LocalChart& chart, const Material& mater
   const float area = dot(chart.dp[0], across_v);
   const Vec3 gradient = (slope[0] * across_v + slope[1] * across_u) * (material.bump_scale / area);
   return is_finite(gradient) ? glm::normalize(n - gradient) : n;
+}
+
+// A bump map bends the surface itself, and so the coat on it; a normal map is that of one of them.
+Vec3 normal_of_clearcoat(const LocalChart& chart, const Material& material,
+                         const std::vector<Texture>& textures, const Surface& surface, const Ray& ray) {
+  Vec3 n = surface.shading.n;
+  if (material.has_clearcoat_normal_map())
+    n = with_normal_map(n, chart, material.clearcoat_normal_map, material.clearcoat_normal_scale, textures);
+  if (material.has_bump_map()) n = with_bump_map(n, chart, material, textures);
+  return n == surface.ng ? n : reflecting_normal(n, surface.ng, -glm::normalize(ray.d));
 }
 
 // The width in uv of the ray's cone, where it meets the surface: the root of the area of its section.
@@ -116,6 +124,7 @@ unsigned detail_of(const Piece& piece, const Geometry& geometry, const Material&
   if (piece.needs != 0) detail |= attributes;
   if (any_part(material, materials, follows_tangent)) detail |= tangent;
   if (material.has_normal_map() || material.has_bump_map()) detail |= mapped_normal;
+  if (material.has_clearcoat_normal()) detail |= clearcoat_normal;
   const auto mirrors = [](const Material& part) { return !is_only_diffuse(part.lobe); };
   if (smooth && any_part(material, materials, mirrors)) detail |= smooth_mirror;
   if (material.back == BackSide::absorbing) detail |= black_back;
@@ -127,7 +136,7 @@ void add_detail(const Geometry& geometry, const Material& material, const std::v
   using namespace surface_detail;
   Vec3 n = surface.shading.n;
   const bool maps_normal = (surface.detail & mapped_normal) != 0;
-  if ((surface.detail & (attributes | tangent | mapped_normal)) == 0) {
+  if ((surface.detail & (attributes | tangent | mapped_normal | clearcoat_normal)) == 0) {
     if ((surface.detail & smooth_mirror) == 0 || n == surface.ng) return;
     n = reflecting_normal(n, surface.ng, -glm::normalize(ray.d));
     surface.shading = frame_from_normal(n);
@@ -139,7 +148,10 @@ void add_detail(const Geometry& geometry, const Material& material, const std::v
   if ((needs & texture_needs::footprint) != 0) add_footprint(chart, ray, hit, surface);
   if ((needs & texture_needs::random) != 0) surface.at.random = random_of(ray, surface.at);
   chart.at = surface.at;
-  if (maps_normal && material.has_normal_map()) n = with_normal_map(n, chart, surface.at, material, textures);
+  if ((surface.detail & clearcoat_normal) != 0)
+    surface.clearcoat_normal = normal_of_clearcoat(chart, material, textures, surface, ray);
+  if (maps_normal && material.has_normal_map())
+    n = with_normal_map(n, chart, material.normal_map, material.normal_scale, textures);
   if (maps_normal && material.has_bump_map()) n = with_bump_map(n, chart, material, textures);
   if (n != surface.ng) n = reflecting_normal(n, surface.ng, -glm::normalize(ray.d));
   std::optional<Frame> frame;

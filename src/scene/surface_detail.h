@@ -13,6 +13,7 @@ inline constexpr unsigned tangent = 2;        // the lobe looks different when i
 inline constexpr unsigned mapped_normal = 4;  // a normal map or a bump map
 inline constexpr unsigned smooth_mirror = 8;  // interpolated normals under a lobe that is not only diffuse
 inline constexpr unsigned black_back = 16;
+inline constexpr unsigned clearcoat_normal = 32;  // another than that of what it lies on
 }  // namespace surface_detail
 
 // That of the piece under its material, which is one of `materials`.

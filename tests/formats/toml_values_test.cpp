@@ -138,10 +138,11 @@ TEST(TomlValues, MetalsByTheirNames) {
   EXPECT_EQ(std::get<Conductor>(file.scene.materials.at(0).lobe).metal, Metal::Cu);
 }
 
-// The texture in that parameter, if it is one that every material has.
+// The texture in that parameter, if it is one that the material has beside its lobe.
 std::optional<TextureId> common_map(const Material& material, const std::string& name) {
   if (name == "alpha") return material.alpha.map;
   if (name == "normal_map") return material.normal_map.map;
+  if (name == "clearcoat_normal_map") return material.clearcoat_normal_map.map;
   if (name == "bump_map") return material.bump_map.map;
   return std::nullopt;
 }

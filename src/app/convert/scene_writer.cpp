@@ -91,7 +91,9 @@ void SceneWriter::use(MaterialId id) {
   const Material& material = scene_.materials[index_of(id)];
   for (const MaterialPart& part : material.parts) use(part.material);
   for (const TexturedParameter& map : material.maps) use(map.texture);
-  for (const TextureId map : {material.alpha.map, material.normal_map.map, material.bump_map.map}) use(map);
+  for (const TextureId map : {material.alpha.map, material.normal_map.map, material.clearcoat_normal_map.map,
+                              material.bump_map.map})
+    use(map);
 }
 
 void SceneWriter::find_used() {

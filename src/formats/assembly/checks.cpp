@@ -139,7 +139,7 @@ void SceneChecks::check_textures(const Shape& shape, const Place& place, const M
   };
   if ((needs & texture_needs::color) != 0 && mesh->colors.empty()) lacks("vertex colours", "they are white");
   if ((needs & texture_needs::uv1) != 0 && mesh->uvs1.empty()) lacks("second uv", "the first is used");
-  if (material.has_normal_map() && mesh->uvs.empty())
+  if ((material.has_normal_map() || material.has_clearcoat_normal_map()) && mesh->uvs.empty())
     lacks("uv", "the normal map lies on each of its triangles anew");
 }
 

@@ -8,11 +8,6 @@
 namespace umbral {
 namespace {
 
-template <class T>
-bool same(const Textured<T>& a, const Textured<T>& b) {
-  return a.map == b.map && (!a.is_constant() || a.value == b.value);
-}
-
 bool is_there(const Material& material) { return material.alpha.is_constant() && material.alpha.value == 1; }
 
 // The parameter that counts for nothing in a part; none where there is no such.
@@ -20,6 +15,7 @@ const char* own_detail(const Material& part) {
   if (!is_there(part)) return "alpha";
   if (part.back != BackSide::same) return "back";
   if (part.has_normal_map()) return "normal_map";
+  if (part.has_clearcoat_normal_map()) return "clearcoat_normal_map";
   return part.has_bump_map() ? "bump_map" : nullptr;
 }
 
@@ -88,11 +84,10 @@ Material mix_of(SceneBuilder& builder, Material a, Material b, const Textured<fl
   const auto agree = [&](bool equal, const char* what) {
     if (!equal) builder.lacks(place, fmt::format("a mix of materials that differ in their {}", what));
   };
-  agree(same(a.alpha, b.alpha) && a.alpha_mode == b.alpha_mode && a.alpha_cutoff == b.alpha_cutoff,
-        "opacity");
+  agree(a.alpha == b.alpha && a.alpha_mode == b.alpha_mode && a.alpha_cutoff == b.alpha_cutoff, "opacity");
   agree(a.back == b.back, "back sides");
-  agree(same(a.normal_map, b.normal_map) && a.normal_scale == b.normal_scale, "normal maps");
-  agree(same(a.bump_map, b.bump_map) && a.bump_scale == b.bump_scale, "bump maps");
+  agree(a.normal_map == b.normal_map && a.normal_scale == b.normal_scale, "normal maps");
+  agree(a.bump_map == b.bump_map && a.bump_scale == b.bump_scale, "bump maps");
   if (!amount.is_constant()) {
     const Range reached = builder.textures[index_of(amount.map)].number_bounds();
     if (reached.low < 0 || reached.high > 1) builder.lacks(place, "an amount beyond 0 … 1 of a mix");
@@ -103,12 +98,14 @@ Material mix_of(SceneBuilder& builder, Material a, Material b, const Textured<fl
   mix.lobe = Mix{nullptr, nullptr, glm::clamp(amount.value, 0.0f, 1.0f)};
   mix.maps.clear();
   mix.parts.clear();
+  mix.clearcoat_normal_map = {level_normal};  // the clearcoat of a part has the normal of the mix
   if (!amount.is_constant()) mix.maps.push_back({detail::set_from_texture<&Mix::amount>, amount.map});
   const auto add = [&](auto set, Material part) {
     const Material plain;
     part.alpha = plain.alpha;
     part.back = plain.back;
     part.normal_map = plain.normal_map;
+    part.clearcoat_normal_map = plain.clearcoat_normal_map;
     part.bump_map = plain.bump_map;
     mix.parts.push_back({set, builder.add(std::move(part), place)});
   };

@@ -135,6 +135,8 @@ void SceneReader::check_detail(TableReader& table, const Material& material) con
   if (material.alpha_mode != AlphaMode::mask)
     blame("alpha_cutoff", "'alpha_cutoff' has no effect unless alpha_mode is \"mask\"");
   if (!table.has("normal_map")) blame("normal_scale", "'normal_scale' has no effect without 'normal_map'");
+  if (!table.has("clearcoat_normal_map"))
+    blame("clearcoat_normal_scale", "'clearcoat_normal_scale' has no effect without 'clearcoat_normal_map'");
   if (!table.has("bump_map")) blame("bump_scale", "'bump_scale' has no effect without 'bump_map'");
 }
 

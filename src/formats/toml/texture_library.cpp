@@ -89,8 +89,8 @@ std::optional<TextureId> TextureLibrary::find(const Value& value, const Paramete
   const auto* table = value.as<Value::Table>();
   const auto id = table ? read(*table, "", context_.place(value)) : named_.find(value);
   if (!id || !keeps_range(value, info, builder_.textures[index_of(*id)], as_color)) return std::nullopt;
-  if (std::string_view(info.name) == "normal_map" && !suits_normals(value, builder_.textures[index_of(*id)]))
-    return std::nullopt;
+  const bool holds_normals = std::string_view(info.name).ends_with("normal_map");
+  if (holds_normals && !suits_normals(value, builder_.textures[index_of(*id)])) return std::nullopt;
   return id;
 }
 
