@@ -61,7 +61,8 @@ TEST_F(Convert, GltfWithInstancesTexturesLightsAndCamera) {
          "materials": [{"name": "paint", "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.6, 0.7, 1], "metallicFactor": 0.5,
            "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform": {"scale": [2, 3], "rotation": 0.3}}}},
            "normalTexture": {"index": 0, "scale": 0.3}, "alphaMode": "MASK", "doubleSided": true, "emissiveFactor": [0.1, 0, 0],
-           "extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.5}}}],
+           "extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.5,
+             "clearcoatNormalTexture": {"index": 0, "scale": 0.6}}}}],
          "textures": [{"source": 0}], "images": [{"uri": "t.tga"}],
          "extensionsUsed": ["KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_clearcoat"],
          "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 30}]}})",
@@ -72,6 +73,7 @@ TEST_F(Convert, GltfWithInstancesTexturesLightsAndCamera) {
   EXPECT_TRUE(test::contains(made, "[materials.\"paint\"]\ntype = \"principled\"\n")) << made;
   EXPECT_TRUE(test::contains(made, "../t.tga")) << made;  // referred to where it is
   EXPECT_TRUE(test::contains(made, "[[instances]]")) << made;
+  EXPECT_TRUE(test::contains(made, "\nclearcoat_normal_scale = 0.6")) << made;
 }
 
 TEST_F(Convert, ObjWithoutLight) {

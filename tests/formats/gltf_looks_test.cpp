@@ -21,7 +21,8 @@ struct GltfLooks : testing::Test {
                             R"(, "images": [{"uri": "t.tga"}], "textures": [{"source": 0, "sampler": 0}],
                                 "samplers": [)" +
                                 sampler + R"(], "materials": [)" + material + R"(],
-                                "extensionsUsed": ["KHR_materials_anisotropy"])",
+                                "extensionsUsed": ["KHR_materials_anisotropy", "KHR_materials_clearcoat",
+                                                   "KHR_texture_transform"])",
                             R"(, "material": 0)"));
   }
 };
@@ -53,6 +54,46 @@ TEST_F(GltfLooks, AnisotropyHasTheDirectionsOfItsTexture) {
       painted("{}", R"({"extensions": {"KHR_materials_anisotropy": {"anisotropyStrength": 0.8,
       "anisotropyRotation": -0.5235988}}})");
   EXPECT_NEAR(std::get<Principled>(plain.scene.materials.at(0).lobe).anisotropy_rotation, 330, 1e-3);
+}
+
+// By the text of KHR_materials_clearcoat the coat has its own normal texture or none, whatever the base has.
+TEST_F(GltfLooks, ClearcoatsHaveTheirOwnNormals) {
+  const auto read_material = [&](const std::string& normals, const std::string& of_coat) {
+    const SceneFile file = painted("{}", "{" + normals + R"("extensions": {"KHR_materials_clearcoat":
+        {)" + of_coat + "}}}");
+    EXPECT_EQ(folder.warnings(file).find("learcoat"), std::string::npos) << folder.warnings(file);
+    EXPECT_FALSE(file.scene.textures.size() > 2);
+    const Material material = file.scene.materials.at(0);
+    if (material.has_clearcoat_normal_map()) {
+      const Texture& map = file.scene.textures.at(index_of(material.clearcoat_normal_map.map));
+      EXPECT_FALSE(std::get<ImageTexture>(map.kind).image->is_srgb());
+    }
+    return material;
+  };
+  const std::string base = R"("normalTexture": {"index": 0, "scale": 0.3}, )";
+  const std::string half = R"("clearcoatFactor": 0.5)";
+  const auto with_map = [&](const std::string& rest) {
+    return half + R"(, "clearcoatNormalTexture": {"index": 0, )" + rest + "}";
+  };
+  const Material own = read_material("", with_map(R"("scale": 0.7)"));
+  EXPECT_FALSE(own.has_normal_map());
+  EXPECT_TRUE(own.has_clearcoat_normal());
+  EXPECT_FLOAT_EQ(own.clearcoat_normal_scale, 0.7f);
+
+  const Material flat = read_material(base, half);
+  EXPECT_TRUE(flat.has_normal_map());
+  EXPECT_FALSE(flat.has_clearcoat_normal_map());
+  EXPECT_TRUE(flat.has_clearcoat_normal());
+
+  const Material shared = read_material(base, with_map(R"("scale": 0.3)"));
+  EXPECT_EQ(shared.clearcoat_normal_map, shared.normal_map);
+  EXPECT_FALSE(shared.has_clearcoat_normal()) << "the same normals are not worked out twice";
+  for (const char* other :
+       {R"("scale": 0.4)", R"("scale": 0.3, "extensions": {"KHR_texture_transform": {"scale": [2, 2]}})",
+        R"("scale": 0.3, "texCoord": 1)"})
+    EXPECT_TRUE(read_material(base, with_map(other)).has_clearcoat_normal()) << other;
+
+  EXPECT_FALSE(read_material(base, R"("clearcoatFactor": 0)").has_clearcoat_normal()) << "there is no coat";
 }
 
 TEST_F(GltfLooks, OrthographicCamerasAreAsHighAsTheySay) {

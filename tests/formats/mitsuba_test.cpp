@@ -301,8 +301,12 @@ TEST(Mitsuba, NormalsBumpsAndColoursOfVertices) {
                       sphere_of("bumpmap'><texture name='x' " + image +
                                 "<float name='scale' value='3'/><bsdf type='diffuse'/>") +
                       sphere_of("diffuse'><texture name='reflectance' type='mesh_attribute'><string "
-                                "name='name' value='vertex_color'/></texture>"));
+                                "name='name' value='vertex_color'/></texture>") +
+                      sphere_of("normalmap'><texture name='normalmap' " + image +
+                                "<bsdf type='principled'><float name='clearcoat' value='1'/></bsdf>"));
   EXPECT_TRUE(material_of(file, 0).has_normal_map());
+  EXPECT_EQ(material_of(file, 3).clearcoat_normal_map, material_of(file, 3).normal_map)
+      << "all layers have it";
   EXPECT_TRUE(std::holds_alternative<Plastic>(material_of(file, 0).lobe));
   EXPECT_TRUE(material_of(file, 1).has_bump_map());
   EXPECT_EQ(material_of(file, 1).bump_scale, 3);

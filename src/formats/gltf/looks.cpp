@@ -105,7 +105,6 @@ void Conversion::layers() {
     set<&Principled::clearcoat>(maps_.number(coat->factor, coat->texture, TextureChannel::r));
     set<&Principled::clearcoat_roughness>(
         maps_.number(coat->roughness, coat->roughness_texture, TextureChannel::g));
-    if (coat->normal_texture) note("clearcoatNormalTexture is not used: the layer has the surface's normal");
   }
   if (const auto& sheen = data_.sheen) {
     set<&Principled::sheen_color>(maps_.color(sheen->color, sheen->color_texture));
@@ -160,10 +159,17 @@ void Conversion::opacity() {
 }
 
 void Conversion::normals() {
-  if (!data_.normal_texture) return;
-  if (const auto id = maps_.image(*data_.normal_texture, {ColorSpace::linear}))
-    material_.normal_map.map = *id;
-  material_.normal_scale = number(data_.normal_texture->scale);
+  if (const auto& base = data_.normal_texture) {
+    if (const auto id = maps_.image(*base, {ColorSpace::linear})) material_.normal_map.map = *id;
+    material_.normal_scale = number(base->scale);
+  }
+  if (!data_.clearcoat || !data_.clearcoat->normal_texture) return;
+  const TextureInfo& coat = *data_.clearcoat->normal_texture;
+  material_.clearcoat_normal_scale = number(coat.scale);
+  if (data_.normal_texture && coat.looks_as(*data_.normal_texture))
+    material_.clearcoat_normal_map = material_.normal_map;
+  else if (const auto id = maps_.image(coat, {ColorSpace::linear}))
+    material_.clearcoat_normal_map.map = *id;
 }
 
 Material Conversion::material() {

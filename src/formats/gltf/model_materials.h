@@ -13,6 +13,7 @@ struct TextureTransform {
       std::tuple{property<&TextureTransform::offset>("offset"), property<&TextureTransform::scale>("scale"),
                  property<&TextureTransform::rotation>("rotation"),
                  property<&TextureTransform::tex_coord>("texCoord", whole)};
+  bool operator==(const TextureTransform&) const = default;
 };
 
 struct TextureInfo {
@@ -24,6 +25,10 @@ struct TextureInfo {
       required<&TextureInfo::texture>("index"), property<&TextureInfo::tex_coord>("texCoord", whole),
       property<&TextureInfo::scale>("scale"), property<&TextureInfo::strength>("strength", zero_to_one)};
   static constexpr auto extensions = std::tuple{property<&TextureInfo::transform>("KHR_texture_transform")};
+  // Whether it is the same texture in the same place.
+  bool looks_as(const TextureInfo& other) const {
+    return texture == other.texture && tex_coord == other.tex_coord && transform == other.transform;
+  }
 };
 using TextureSlot = std::optional<TextureInfo>;
 using Rgb = std::array<double, 3>;

@@ -285,6 +285,8 @@ Materials::Draft Materials::normal_map(const Properties& properties) {
     builder_.diagnostics.error(properties.place(), "'normalmap' wants a texture of that name");
   else
     result.material.normal_map = map;
+  if (std::holds_alternative<Principled>(result.material.lobe))  // there it bends the coat, too
+    result.material.clearcoat_normal_map = result.material.normal_map;
   return result;
 }
 
