@@ -3,6 +3,7 @@
 
 #include "bsdf/fresnel.h"
 #include "bsdf/microfacet_albedo.h"
+#include "bsdf/stretched_albedo.h"
 
 namespace umbral {
 namespace {
@@ -26,11 +27,9 @@ Ggx ggx_of(const Dielectric& lobe) {
   return lobe.anisotropy == 0 ? Ggx{alpha, alpha} : Ggx::of_roughness(lobe.roughness, lobe.anisotropy);
 }
 
-// Of round facets that lose as much, or less where these are stretched; nearer to the smaller width, as light is lost by the
-// masking of either.
-float round_alpha(const Ggx& ggx) {
-  if (ggx.alpha_x == ggx.alpha_y) return ggx.alpha_x;
-  return std::sqrt(std::min(ggx.alpha_x, ggx.alpha_y) * std::sqrt(ggx.alpha_x * ggx.alpha_y));
+// The width by which lost light is drawn.
+float width_of(const Ggx& ggx) {
+  return ggx.is_round() ? ggx.alpha_x : std::min(1.0f, (ggx.alpha_x + ggx.alpha_y) / 2);
 }
 
 // Directions in the frame along which the facets are stretched.
@@ -42,19 +41,28 @@ Vec3 from_facets(const Dielectric& lobe, const Vec3& w) {
   return is_turned(lobe) ? turned(w, -lobe.anisotropy_rotation) : w;
 }
 
-float lost_of(const Dielectric& lobe, const Ggx& ggx, float cos_theta) {
-  return interface_shares(cos_theta, round_alpha(ggx), lobe.eta).lost;
+float lost_of(const Dielectric& lobe, const Ggx& ggx, const Vec3& w) {
+  return ggx.is_round() ? interface_shares(w.z, ggx.alpha_x, lobe.eta).lost
+                        : stretched_interface_loss(ggx, w, lobe.eta);
+}
+
+// Of stretched facets the share of what round ones reflect.
+InterfaceAverages averages_of(const Dielectric& lobe, const Ggx& ggx) {
+  if (ggx.is_round()) return interface_averages(ggx.alpha_x, lobe.eta);
+  const InterfaceAverages round = interface_averages(ggx.round_alpha(), lobe.eta);
+  const AverageLosses lost = stretched_interface_average_losses(ggx, lobe.eta);
+  return {round.reflected * (1 - lost.outside) / (1 - round.lost_outside), lost.outside, lost.inside};
 }
 
 // Of the lost light as much goes in as of one bounce's, unless as much could not come out again.
 Side side_of(const Dielectric& lobe, const Vec3& wo) {
   const Ggx ggx = ggx_of(lobe);
-  const InterfaceAverages averages = interface_averages(round_alpha(ggx), lobe.eta);
+  const InterfaceAverages averages = averages_of(lobe, ggx);
   const float outside = std::max(1e-9f, averages.lost_outside);
   const float inside = std::max(1e-9f, averages.lost_inside);
   const float ratio = sqr(lobe.eta) * inside / outside;
   const float to_inside = std::min(1 - averages.reflected / (1 - outside), ratio);
-  const float lost = lost_of(lobe, ggx, wo.z);
+  const float lost = lost_of(lobe, ggx, wo);
   if (wo.z > 0) return {ggx, true, lobe.eta, lost, outside, inside, to_inside, lobe.interface()};
   return {ggx, false, 1 / lobe.eta, lost, inside, outside, to_inside / ratio, lobe.interface()};
 }
@@ -95,7 +103,7 @@ Spectrum Dielectric::f_cos(const Vec3& wo, const Vec3& wi) const {
   const Side side = side_of(*this, facets_o);
   const Vec3 o = turned(facets_o, wo), i = turned(facets_i, wo);
   const float zi = std::abs(i.z);
-  const float both = side.lost * lost_of(*this, side.ggx, wi.z) * inverse_pi;
+  const float both = side.lost * lost_of(*this, side.ggx, facets_i) * inverse_pi;
   if (i.z > 0) {
     const Vec3 sum = o + i;
     const float length = glm::length(sum);
@@ -118,7 +126,7 @@ float Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
   const Vec3 facets_o = to_facets(*this, wo);
   const Side side = side_of(*this, facets_o);
   const Vec3 o = turned(facets_o, wo), i = turned(to_facets(*this, wi), wo);
-  const float diffuse = side.lost * lossy_direction_pdf(std::abs(i.z), round_alpha(side.ggx));
+  const float diffuse = side.lost * lossy_direction_pdf(std::abs(i.z), width_of(side.ggx));
   if (i.z > 0)
     return diffuse * (1 - side.through) +
            (1 - side.lost) * chance_of(facet_reflectance(side, o, i)) * side.ggx.reflection_pdf(o, i);
@@ -144,7 +152,7 @@ std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, float u1, const Vec
   if (wo.z == 0) return std::nullopt;
   const Side side = side_of(*this, to_facets(*this, wo));
   if (u1 < side.lost) {
-    const Vec3 wi = sample_lossy_direction(u2, round_alpha(side.ggx));
+    const Vec3 wi = sample_lossy_direction(u2, width_of(side.ggx));
     const bool through = u1 < side.lost * side.through;
     return sample_at(*this, wo, from_facets(*this, turned(through ? Vec3{wi.x, wi.y, -wi.z} : wi, wo)));
   }

@@ -18,8 +18,7 @@ namespace umbral {
 // A rough one loses the light that meets more than one facet. It is given back by two diffuse parts in which neither
 // side gains: with M = 1 − E what one bounce loses (bsdf/microfacet_albedo.h) and m its mean, on sides A and B,
 //   f_AA = (1 − t_A) M_A(wo) M_A(wi)/(π m_A),  f_AB = t_A M_A M_B/(π m_B) for light from A to B
-// [after Kulla and Conty 2017]; reciprocity asks for t_B m_B eta_B² = t_A m_A eta_A². Stretched facets
-// are given back what round ones lose that lose no more.
+// [after Kulla and Conty 2017]; reciprocity asks for t_B m_B eta_B² = t_A m_A eta_A².
 struct Dielectric {
   float eta = 1.5f;
   Spectrum reflectance = grey(1.0f);

@@ -1,6 +1,5 @@
-// Rough interfaces between dielectrics: tables of what single bounces reflect and lose.
+// Rough interfaces between dielectrics, without stretch: tables of what single bounces reflect and lose.
 #include "bsdf/albedo_quadrature.h"
-#include "bsdf/fresnel.h"
 #include "bsdf/microfacet_albedo.h"
 
 namespace umbral {
@@ -10,17 +9,8 @@ namespace {
 InterfaceShares interface_bounce(float cos_theta, float alpha, float eta) {
   const Ggx ggx{alpha, alpha};
   const Vec3 wo = direction(cos_theta, 0);
-  const glm::dvec2 shares = mean_over_normals<48, 32>(ggx, wo, [&](const Vec3& h) {
-    const float f = fresnel_dielectric(dot(wo, h), eta);
-    const Vec3 back = reflected(wo, h);
-    const double kept = back.z > 0 ? f * bounce_weight(ggx, wo, back) : 0;
-    double lost = f - kept;
-    if (f < 1) {
-      const std::optional<Vec3> through = refracted_at(wo, h, eta);
-      lost += (1.0 - f) * (through && through->z < 0 ? 1.0 - bounce_weight(ggx, wo, *through) : 1.0);
-    }
-    return glm::dvec2(kept, lost);
-  });
+  const glm::dvec2 shares =
+      mean_over_normals<48, 32>(ggx, wo, [&](const Vec3& h) { return interface_bounce_at(ggx, wo, h, eta); });
   return {static_cast<float>(shares.x), static_cast<float>(shares.y)};
 }
 
@@ -75,11 +65,15 @@ class InterfaceTable {
   std::array<Values, rough> averages_;                    // roots of the losses
 };
 
+Tables<InterfaceTable, index_nodes>& interface_tables() {
+  static Tables<InterfaceTable, index_nodes> tables;
+  return tables;
+}
+
 template <class Get>
 InterfaceTable::Values interpolated_index(float eta, Get&& get) {
-  static Tables<InterfaceTable, index_nodes> tables;
-  return tables.interpolated(coordinate_of_index(eta), get, InterfaceTable::mix,
-                             [](float x) { return InterfaceTable(index_of_coordinate(x)); });
+  return interface_tables().interpolated(coordinate_of_index(eta), get, InterfaceTable::mix,
+                                         [](float x) { return InterfaceTable(index_of_coordinate(x)); });
 }
 
 }  // namespace

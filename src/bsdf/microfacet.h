@@ -24,6 +24,10 @@ struct Ggx {
             std::max(alpha * (1 - anisotropy), smallest_alpha)};
   }
 
+  bool is_round() const { return alpha_x == alpha_y; }
+  // The width of round facets whose density is as high along the normal.
+  float round_alpha() const { return is_round() ? alpha_x : std::sqrt(alpha_x * alpha_y); }
+
   // Area of facets with normal h per area of surface and solid angle: D(h).
   float density(const Vec3& h) const {
     const float q = sqr(h.x / alpha_x) + sqr(h.y / alpha_y) + sqr(h.z);

@@ -11,7 +11,7 @@ namespace umbral {
 float ggx_loss(const Ggx& ggx, const Vec3& w);
 float ggx_average_loss(const Ggx& ggx);
 
-// The same for the rough interface between dielectrics; eta: index of the inner over that of the outer side, 1 … 10.
+// The same for the rough interface between dielectrics, without stretch (bsdf/stretched_albedo.h); eta: index of the inner over that of the outer side, 1 … 10.
 // The error is below 0.01, of what is reflected below 0.003.
 struct InterfaceShares {
   float reflected;  // of light from outside, to the same side
