@@ -13,11 +13,11 @@ namespace {
 
 float alpha_of(const Principled& p) { return sqr(p.roughness); }
 
-// Stretched as KHR_materials_anisotropy says.
+// Stretched as KHR_materials_anisotropy says; a mirror where the wide axis is one.
 Ggx ggx_of(const Principled& p) {
-  const float alpha = alpha_of(p);
-  if (p.anisotropy == 0) return {alpha, alpha};
-  return {glm::mix(alpha, 1.0f, sqr(p.anisotropy)), std::max(alpha, Ggx::smallest_alpha)};
+  const float alpha = alpha_of(p), wide = glm::mix(alpha, 1.0f, sqr(p.anisotropy));
+  if (p.anisotropy == 0 || wide < Ggx::smallest_alpha) return {alpha, alpha};
+  return {wide, std::max(alpha, Ggx::smallest_alpha)};
 }
 
 ThinFilm film_of(const Principled& p) {

@@ -131,6 +131,15 @@ TEST(Principled, LetsLightGoStraightThroughThinWalls) {
   EXPECT_EQ(pane.interior_eta(), 1);
 }
 
+// However little: beside the least width that facets may have, 4e-8 would be no highlight that floats can hold.
+TEST(Principled, IsAMirrorBelowTheLeastWidthWhereItIsStretchedToo) {
+  Principled lobe = white_of(0, 1, true, 2e-4f);
+  lobe.anisotropy = 3.6e-6f;
+  EXPECT_TRUE(lobe.only_delta());
+  lobe.anisotropy = 0.5f;
+  EXPECT_FALSE(lobe.only_delta());
+}
+
 TEST(Principled, ShowsAFilmInPartOfItsSurface) {
   const auto reflected = [](float share) {
     Principled lobe;
