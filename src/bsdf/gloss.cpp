@@ -10,7 +10,7 @@ namespace {
 // The matte part of f |cos θi|, for directions with z ≥ 0.
 Spectrum body_of(const Gloss& lobe, const Vec3& o, const Vec3& i) {
   const Skin& skin = lobe.skin;
-  return body_f_cos(lobe.reflectance, skin.albedo(o.z), skin.albedo(i.z), skin.average_albedo(), i.z);
+  return body_f_cos(lobe.reflectance, skin.albedo(o), skin.albedo(i), skin.average_albedo(), i.z);
 }
 
 }  // namespace
@@ -31,13 +31,13 @@ void Gloss::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
 float Gloss::pdf(const Vec3& wo, const Vec3& wi) const {
   if (!same_side(wo, wi)) return 0;
   const Vec3 o = on_side_of(wo, wo), i = on_side_of(wi, wi);
-  const float chance = skin_probability(skin.albedo(o.z), reflectance);
+  const float chance = skin_probability(skin.albedo(o), reflectance);
   return (1 - chance) * cosine_hemisphere_pdf(i.z) + chance * skin.pdf(o, i);
 }
 
 std::optional<BsdfSample> Gloss::sample(const Vec3& wo, float u1, const Vec2& u2) const {
   const Vec3 o = on_side_of(wo, wo);
-  const Spectrum reflected_share = skin.albedo(o.z);
+  const Spectrum reflected_share = skin.albedo(o);
   const float chance = skin_probability(reflected_share, reflectance);
   if (u1 >= chance) return sample_at(*this, wo, on_side_of(square_to_cosine_hemisphere(u2), wo));
   if (skin.is_smooth()) return BsdfSample{{-wo.x, -wo.y, wo.z}, reflected_share / chance, 0, true};

@@ -2,6 +2,7 @@
 #include "bsdf/skin.h"
 
 #include "bsdf/microfacet_albedo.h"
+#include "bsdf/stretched_albedo.h"
 
 namespace umbral {
 namespace {
@@ -13,25 +14,38 @@ float cosine_of_share(float r, float f0) {
 
 }  // namespace
 
+Ggx Skin::rough_facets() const {
+  return {std::max(ggx.alpha_x, Ggx::smallest_alpha), std::max(ggx.alpha_y, Ggx::smallest_alpha)};
+}
+
 // A film's colours at a rough surface are those at the angle at which a smooth one would reflect as much.
-Spectrum Skin::albedo(float cos_theta) const {
-  if (is_smooth()) return interface.reflectance(cos_theta);
-  const float alpha = std::max(round_alpha(), Ggx::smallest_alpha);
-  const float plain = interface_shares(cos_theta, alpha, interface.eta).reflected;
+Spectrum Skin::albedo(const Vec3& w) const {
+  if (is_smooth()) return interface.reflectance(w.z);
+  const Ggx facets = rough_facets();
+  const float plain = facets.is_round() ? interface_shares(w.z, facets.alpha_x, interface.eta).reflected
+                                        : stretched_reflected(facets, w, interface.eta);
   if (interface.is_plain()) return grey(plain);
-  const float whole = 1 - ggx_loss({alpha, alpha}, {0, 0, cos_theta});
+  const float whole = 1 - ggx_loss(facets, w);
   if (!interface.film.exists()) return glm::min(white, interface.tinted(plain, whole));
   return whole * interface.reflectance(cosine_of_share(plain / whole, interface.f0()));
 }
 
-// With a film by Gauss's rule with three points over cos² θ.
+// With a film by Gauss's rule with three points over cos² θ, of stretched facets at three azimuths.
 Spectrum Skin::average_albedo() const {
-  const float alpha = std::max(round_alpha(), Ggx::smallest_alpha);
-  if (interface.film.exists())
-    return (5.0f * (albedo(0.33571068f) + albedo(0.94196515f)) + 8.0f * albedo(0.70710678f)) / 18.0f;
-  const float plain = interface_averages(alpha, interface.eta).reflected;
+  const Ggx facets = rough_facets();
+  if (interface.film.exists()) {
+    const auto around = [&](float c) {
+      if (facets.is_round()) return albedo(c);
+      const float sine = safe_sqrt((1 - c) * (1 + c)), low = 0.25881905f, high = 0.96592583f;  // of 15°, 75°
+      const auto at = [&](float x, float y) { return albedo(Vec3{sine * x, sine * y, c}); };
+      return (at(high, low) + at(0.70710678f, 0.70710678f) + at(low, high)) / 3.0f;
+    };
+    return (5.0f * (around(0.33571068f) + around(0.94196515f)) + 8.0f * around(0.70710678f)) / 18.0f;
+  }
+  const float plain = facets.is_round() ? interface_averages(facets.alpha_x, interface.eta).reflected
+                                        : stretched_average_reflected(facets, interface.eta);
   if (interface.is_plain()) return grey(plain);
-  return interface.tinted(plain, 1 - ggx_average_loss({alpha, alpha}));
+  return interface.tinted(plain, 1 - ggx_average_loss(facets));
 }
 
 // The steepness of R falls from 2 as the skin gets rough, within a tenth.

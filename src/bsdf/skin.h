@@ -16,9 +16,10 @@ struct Skin {
   // The width of a surface without stretch that is about as rough.
   float round_alpha() const { return std::sqrt(ggx.alpha_x * ggx.alpha_y); }
 
-  // R: the share of light from an angle that is reflected in all (within 0.003; 0.01 where it is tinted, stretched
-  // or has a film), and its mean over the hemisphere.
-  Spectrum albedo(float cos_theta) const;
+  // R: the share of light from a direction that is reflected in all (within 0.003; 0.01 where it is tinted, stretched
+  // or has a film), and its mean over the hemisphere. Of a cosine alone if stretched: at the azimuth where it is wider.
+  Spectrum albedo(const Vec3& w) const;
+  Spectrum albedo(float cos_theta) const { return albedo({0, 0, cos_theta}); }
   Spectrum average_albedo() const;
   // Of 1 − R, as in Spread: how what passes leans towards the horizon.
   float lean_of_passed() const;
@@ -28,6 +29,9 @@ struct Skin {
   float pdf(const Vec3& o, const Vec3& i) const { return is_smooth() ? 0.0f : ggx.reflection_pdf(o, i); }
   // The direction that u gives; none below the horizon.
   std::optional<Vec3> sample(const Vec3& o, const Vec2& u) const;
+
+ private:
+  Ggx rough_facets() const;  // as wide as tables reach at least
 };
 
 // What a diffuse body of reflectance ρ sends through a skin in both directions [Kelemen and Szirmay-Kalos 2001]:

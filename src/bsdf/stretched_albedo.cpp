@@ -88,7 +88,7 @@ class InnerSide {
   float alpha_, rib_, slant_, critical_, x_critical_;
 };
 
-// The losses of one surface on one side.
+// The losses of one surface on one side, or what else is known of each direction.
 template <class Side, int angles, int azimuths>
 class Grid {
  public:
@@ -106,8 +106,8 @@ class Grid {
         loss_[a][z] =
             static_cast<float>(lose(direction_of(c, side.azimuth_of(node(z, azimuths), c), of.slant)));
     }
-    average_root_ =
-        fourth_root(hemisphere_average([&](float c) { return average_around(side, of.slant, c); }));
+    average_ = hemisphere_average([&](float c) { return average_around(side, of.slant, c); });
+    average_root_ = fourth_root(average_);
   }
 
   static Place place(const Side& side, float cos_theta, float azimuth) {
@@ -121,6 +121,7 @@ class Grid {
     return glm::mix(along(loss_[p.angle.i]), along(loss_[p.angle.i + 1]), p.angle.t);
   }
 
+  float average() const { return average_; }
   float average_root() const { return average_root_; }
 
  private:
@@ -137,7 +138,7 @@ class Grid {
   }
 
   std::array<std::array<float, azimuths>, angles> loss_;
-  float average_root_;
+  float average_, average_root_;
 };
 
 using OuterGrid = Grid<OuterSide, 32, 17>;
@@ -178,6 +179,21 @@ struct Interfaces {
   InnerGrid inside;
 };
 
+// What is reflected outside, less what a smooth interface would, which differs less along the grid.
+struct Skins {
+  Skins(const Ggx& ggx, float eta)
+      : more(Stretch(ggx), eta,
+             [&](const Vec3& wo) {
+               return lattice_mean_over_normals<377, 233>(
+                          ggx, wo, [&](const Vec3& h) { return interface_bounce_at(ggx, wo, h, eta).x; }) -
+                      fresnel_dielectric(wo.z, eta);
+             }),
+        average(more.average() + hemisphere_average([&](float c) { return fresnel_dielectric(c, eta); })) {}
+
+  OuterGrid more;
+  float average;
+};
+
 // get(node) between the two nodes of a cell, of which one is left alone where it does not count.
 template <class Get>
 auto between(const Cell& cell, Get&& get) {
@@ -197,6 +213,12 @@ const Interfaces& interfaces_at(int e, int s, int r) {
                  [&] { return Interfaces(facets_of(r, s), index_of_coordinate(node(e, index_nodes))); });
 }
 
+const Skins& skins_at(int e, int s, int r) {
+  static MadeWhenAsked<Skins, index_nodes * stretches * rough> made;
+  return made.at((e * stretches + s) * rough + r,
+                 [&] { return Skins(facets_of(r, s), index_of_coordinate(node(e, index_nodes))); });
+}
+
 // get(OuterGrid) of the facets.
 template <class Get>
 float of_mirrors(const Stretch& of, Get&& get) {
@@ -206,16 +228,14 @@ float of_mirrors(const Stretch& of, Get&& get) {
                  [&](int s) { return between(roughness, [&](int r) { return get(mirrors_at(s, r)); }); });
 }
 
-// get(Interfaces) of the facets.
+// get(e, s, r) among the rows of interfaces.
 template <class Get>
 auto of_interfaces(const Stretch& of, float eta, Get&& get) {
   const Cell index = cell_of(coordinate_of_index(eta), index_nodes),
              stretch = cell_of(coordinate_of_stretch(of.stretch), stretches),
              roughness = row_of_alpha(of.alpha, rough);
   return between(index, [&](int e) {
-    return between(stretch, [&](int s) {
-      return between(roughness, [&](int r) { return get(interfaces_at(e, s, r)); });
-    });
+    return between(stretch, [&](int s) { return between(roughness, [&](int r) { return get(e, s, r); }); });
   });
 }
 
@@ -231,19 +251,33 @@ float stretched_mirror_average_loss(const Ggx& ggx) {
   return fourth_power(of_mirrors(Stretch(ggx), [](const OuterGrid& grid) { return grid.average_root(); }));
 }
 
+float stretched_reflected(const Ggx& ggx, const Vec3& w, float eta) {
+  const Stretch of(ggx);
+  const auto place = OuterGrid::place(OuterSide(of, eta), w.z, azimuth_coordinate(ggx, w, of.slant));
+  const float more =
+      of_interfaces(of, eta, [&](int e, int s, int r) { return skins_at(e, s, r).more.at(place); });
+  return glm::clamp(fresnel_dielectric(w.z, eta) + more, 0.0f, 1.0f);
+}
+
+float stretched_average_reflected(const Ggx& ggx, float eta) {
+  return of_interfaces(Stretch(ggx), eta, [](int e, int s, int r) { return skins_at(e, s, r).average; });
+}
+
 float stretched_interface_loss(const Ggx& ggx, const Vec3& w, float eta) {
   const Stretch of(ggx);
   const float azimuth = azimuth_coordinate(ggx, w, of.slant);
   if (w.z > 0) {
     const auto place = OuterGrid::place(OuterSide(of, eta), w.z, azimuth);
-    return of_interfaces(of, eta, [&](const Interfaces& grids) { return grids.outside.at(place); });
+    return of_interfaces(of, eta,
+                         [&](int e, int s, int r) { return interfaces_at(e, s, r).outside.at(place); });
   }
   const auto place = InnerGrid::place(InnerSide(of, eta), -w.z, azimuth);
-  return of_interfaces(of, eta, [&](const Interfaces& grids) { return grids.inside.at(place); });
+  return of_interfaces(of, eta, [&](int e, int s, int r) { return interfaces_at(e, s, r).inside.at(place); });
 }
 
 AverageLosses stretched_interface_average_losses(const Ggx& ggx, float eta) {
-  const glm::vec2 roots = of_interfaces(Stretch(ggx), eta, [](const Interfaces& grids) {
+  const glm::vec2 roots = of_interfaces(Stretch(ggx), eta, [](int e, int s, int r) {
+    const Interfaces& grids = interfaces_at(e, s, r);
     return glm::vec2(grids.outside.average_root(), grids.inside.average_root());
   });
   return {fourth_power(roots.x), fourth_power(roots.y)};

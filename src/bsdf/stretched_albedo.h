@@ -12,6 +12,10 @@ namespace umbral {
 float stretched_mirror_loss(const Ggx& ggx, const Vec3& w);
 float stretched_mirror_average_loss(const Ggx& ggx);
 
+// What an interface reflects to the outer side of light from there in a single bounce, and the mean.
+float stretched_reflected(const Ggx& ggx, const Vec3& w, float eta);
+float stretched_average_reflected(const Ggx& ggx, float eta);
+
 float stretched_interface_loss(const Ggx& ggx, const Vec3& w, float eta);  // w.z > 0 is outside
 struct AverageLosses {
   float outside, inside;

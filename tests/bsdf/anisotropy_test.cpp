@@ -147,15 +147,19 @@ TEST(Dielectric, LosesNothingWhereItsFacetsAreStretched) {
               fmt::format("roughness {}, anisotropy {}, cos {}, phi {}", roughness, anisotropy, c, phi));
 }
 
-TEST(Principled, LosesNothingWhereItsGlassIsStretched) {
-  for (const float anisotropy : {0.4f, 0.8f})
-    for (const double c : {1.0, 0.5, -0.2, -0.8})
-      for (const double phi : {0.3, 1.5}) {
-        Principled glass = PrincipledGlass::make(anisotropy, 0);
-        glass.base_color = white;
-        expect_lossless(glass, direction_at(c, phi),
-                        fmt::format("anisotropy {}, cos {}, phi {}", anisotropy, c, phi));
-      }
+TEST(Principled, LosesNothingWhereItIsStretched) {
+  for (const float transmission : {0.0f, 1.0f})
+    for (const float roughness : {0.1f, 0.3f})
+      for (const float anisotropy : {0.4f, 0.9f})
+        for (const double c : {1.0, 0.5, 0.1, -0.2, -0.8})
+          for (const double phi : {0.3, 1.5}) {
+            Principled lobe = rough<Principled>(roughness, anisotropy);
+            lobe.base_color = white;
+            lobe.transmission = transmission;
+            expect_lossless(lobe, direction_at(c, phi),
+                            fmt::format("transmission {}, roughness {}, anisotropy {}, cos {}, phi {}",
+                                        transmission, roughness, anisotropy, c, phi));
+          }
 }
 
 }  // namespace
