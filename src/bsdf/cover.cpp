@@ -10,6 +10,13 @@ float passed_by(const Skin& skin, float cos_theta) {
   return std::max(0.0f, 1 - skin.albedo(std::abs(cos_theta)).g);
 }
 
+// By how much more light gets through two layers on facets than each scaling by itself accounts for, as both let pass more along
+// the normal: as on matte bodies where facets scatter widely, not at all on mirrors.
+float both_lean(Spread of_facets, const Skin& skin) {
+  if (of_facets.lean() == 0) return 1;
+  return 1 + std::min(1.0f, 3 * std::sqrt(of_facets.alpha())) * of_facets.lean() * skin.lean_of_passed();
+}
+
 }  // namespace
 
 Passage::Passage(const Cover& cover, float cos_o, float cos_i)
@@ -29,7 +36,7 @@ Spectrum Passage::of(Spread spread) const {
   const float skin_alpha = skin.is_smooth() ? 0 : skin.round_alpha();
   const auto scale = [&](float c) { return skin_scale(c, spread.alpha(), skin_alpha, skin.interface.eta); };
   const float passed = std::sqrt(passed_o_ * passed_i_);
-  return tinted(passed * scale(cos_o_) * scale(cos_i_), passed);
+  return tinted(passed * scale(cos_o_) * scale(cos_i_) / both_lean(spread, skin), passed);
 }
 
 Spectrum Passage::of_mirror() const { return tinted(passed_o_, passed_o_); }

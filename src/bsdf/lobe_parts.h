@@ -16,9 +16,12 @@ class Spread {
   static Spread of_facets(float alpha) { return {alpha, 0}; }  // alpha in [0, 1]
   static Spread matte(float lean = 0) { return {-1, lean}; }
 
+  // Of the same part under a layer that lets pass what leans by so much.
+  Spread under(float lean) const { return {alpha_, lean_ + lean}; }
+
   bool is_matte() const { return alpha_ < 0; }
   float alpha() const { return alpha_; }  // of facets
-  float lean() const { return lean_; }    // l of p
+  float lean() const { return lean_; }    // l of p, for facets of the layers on them
 
  private:
   Spread(float alpha, float lean) : alpha_(alpha), lean_(lean) {}
