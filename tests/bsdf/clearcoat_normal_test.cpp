@@ -4,9 +4,8 @@
 
 #include "albedo_by_draws.h"
 #include "bsdf/skin.h"
+#include "lobe_draws.h"
 #include "lobe_text.h"
-#include "support/chi_square.h"
-#include "support/sphere_cells.h"
 
 namespace umbral {
 namespace {
@@ -43,11 +42,6 @@ Principled coat_of(const Principled& lobe) {
   return coat;
 }
 
-std::optional<BsdfSample> draw(const Principled& lobe, const Vec3& wo, Random& random) {
-  const float u1 = random.number();
-  return lobe.sample(wo, u1, random.square());
-}
-
 // 2 % of the draws in the wrong place would be seen.
 TEST(LeaningClearcoat, DrawsDirectionsByItsDensity) {
   Random random(22);
@@ -56,25 +50,10 @@ TEST(LeaningClearcoat, DrawsDirectionsByItsDensity) {
     lobe.clearcoat_roughness = std::max(lobe.clearcoat_roughness, 0.3f);
     for (const Vec3& wo : {direction_at(0.9, 1), direction_at(-0.3, 4)}) {
       SCOPED_TRACE(text_of(lobe, wo));
-      std::vector<Vec3> pilot;
-      for (int i = 0; i < 1 << 12; ++i)
-        if (const auto sample = draw(lobe, wo, random); sample && !sample->delta) pilot.push_back(sample->wi);
-      const SphereCells cells(pilot, 32);
-      std::vector<double> observed(cells.size() + 1), expected(cells.size() + 1);
       constexpr int draws = 50'000;
-      for (int i = 0; i < draws; ++i) {
-        const auto sample = draw(lobe, wo, random);
-        ++observed[sample && !sample->delta ? cells.find(sample->wi) : cells.size()];
-      }
-      double total = 0;
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        const double mass = cells.integral_of(i, [&](const Vec3& wi) { return lobe.pdf(wo, wi); });
-        expected[i] = draws * mass;
-        total += mass;
-      }
-      EXPECT_LE(total, 1 + 1e-3);  // the density jumps at the coat's horizon, which goes through cells
-      expected.back() = draws * std::max(0.0, 1 - total);
-      const ChiSquare chi = chi_square(observed, expected);
+      CountedDraws counted = counted_draws(lobe, wo, random, draws);
+      EXPECT_LE(counted.total, 1 + 1e-3);  // the density jumps at the coat's horizon, which goes through cells
+      const ChiSquare chi = counted.chi_square(draws, counted.total);
       EXPECT_GT(chi.p, 1e-5) << "chi² " << chi.statistic << " with " << chi.degrees << " degrees of freedom";
     }
   }

@@ -6,10 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "lobe_draws.h"
 #include "lobe_examples.h"
 #include "lobe_text.h"
-#include "support/chi_square.h"
-#include "support/sphere_cells.h"
 
 namespace umbral {
 namespace {
@@ -49,22 +48,6 @@ const std::array edge_directions{direction_at(1, 0),        direction_at(-1, 0),
                                  direction_at(-1e-30, 0.3), direction_at(1e-42, 4), Vec3{1, 0, 0.0f},
                                  Vec3{0.6f, -0.8f, 0.0f},   Vec3{-1, 0, -0.0f},     Vec3{0, 0, 1}};
 
-template <class Lobe>
-std::optional<BsdfSample> draw(const Lobe& lobe, const Vec3& wo, Random& random) {
-  const float u1 = random.number();
-  const Vec2 u2 = random.square();
-  return lobe.sample(wo, u1, u2);
-}
-
-// Cells for the directions that the lobe scatters wo to, but for its mirror-like part, from that many draws.
-template <class Lobe>
-SphereCells cells_of(const Lobe& lobe, const Vec3& wo, Random& random, int draws = 1 << 12) {
-  std::vector<Vec3> pilot;
-  for (int i = 0; i < draws; ++i)
-    if (const auto sample = draw(lobe, wo, random); sample && !sample->delta) pilot.push_back(sample->wi);
-  return {pilot, 32};
-}
-
 template <class F>
 double total_of(const SphereCells& cells, F&& f) {
   double total = 0;
@@ -84,26 +67,15 @@ TYPED_TEST(EveryLobe, DrawsDirectionsByItsDensity) {
   for (const TypeParam& lobe : lobe_examples<TypeParam>(few<TypeParam>))
     for (const Vec3& wo : directions) {
       SCOPED_TRACE(text_of(lobe, wo));
-      const SphereCells cells = cells_of(lobe, wo, random);
-      std::vector<double> observed(cells.size() + 1), expected(cells.size() + 1);
       constexpr int draws = 100'000;
-      for (int i = 0; i < draws; ++i) {
-        const auto sample = draw(lobe, wo, random);
-        ++observed[sample && !sample->delta ? cells.find(sample->wi) : cells.size()];
-      }
-      double total = 0;
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        const double mass = cells.integral_of(i, [&](const Vec3& wi) { return lobe.pdf(wo, wi); });
-        expected[i] = draws * mass;
-        total += mass;
-      }
+      CountedDraws counted = counted_draws(lobe, wo, random, draws);
+      double total = counted.total;
       // Where the density has a kink, a finer quadrature has the last word.
       if (total > 1 + 1e-5)
         total =
             total_of(cells_of(lobe, wo, random, 1 << 14), [&](const Vec3& wi) { return lobe.pdf(wo, wi); });
       EXPECT_LE(total, 1 + 1e-5);
-      expected.back() = draws * std::max(0.0, 1 - total);
-      const ChiSquare chi = chi_square(observed, expected);
+      const ChiSquare chi = counted.chi_square(draws, total);
       EXPECT_GT(chi.p, 1e-5) << "chi² " << chi.statistic << " with " << chi.degrees << " degrees of freedom";
     }
 }

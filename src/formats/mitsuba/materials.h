@@ -10,6 +10,9 @@
 
 namespace umbral::mitsuba_file {
 
+// Black from behind, as all that do not transmit are where no 'twosided' stands around them.
+Material one_sided(const Lobes& lobe);
+
 class Materials {
  public:
   Materials(SceneBuilder& builder, const Document& document, Textures& textures,

@@ -12,8 +12,6 @@
 namespace umbral::pbrt_file {
 namespace {
 
-Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
-
 template <class Lobe>
 Material with_facets(Lobe lobe, const FacetWidths& widths) {
   widths.put_into(lobe);

@@ -1,4 +1,4 @@
-// Setting the parameters of a material by their names.
+// Materials out of lobes and the names of their parameters.
 #pragma once
 
 #include <map>
@@ -7,6 +7,9 @@
 #include "scene/material.h"
 
 namespace umbral {
+
+// As it is by itself: opaque and seen from both sides.
+inline Material with_lobe(const Lobes& lobe) { return Material{"", lobe, {}, {1}}; }
 
 // Puts the values into the parameters of these names; names that the material's lobe has not are passed over.
 template <class T>
