@@ -45,7 +45,7 @@ const std::vector<Library>& libraries() {
       {"the standard output", std::regex("iostream|print"), {"app"}},
       {"standard library", std::regex("[a-z0-9_]+"), {}},
       {"operating system",
-       std::regex("(unistd|fcntl|signal|pthread|immintrin|malloc|(sys|linux)/[a-z]+)\\.h"),
+       std::regex("(unistd|fcntl|signal|pthread|immintrin|malloc|(sys|linux|sanitizer)/[a-z_]+)\\.h"),
        {}},
       {"GLM", std::regex("glm/.*"), {}},
       {"fmt", std::regex("fmt/.*"), {}},

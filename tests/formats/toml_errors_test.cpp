@@ -127,8 +127,10 @@ TEST(TomlErrors, LongLinesAreCutAroundTheCaret) {
 TEST(TomlErrors, AMissingSceneFileIsNamed) {
   const SceneFolder folder;
   EXPECT_EQ(folder.errors("none.toml"), "none.toml: error: cannot be read: No such file or directory");
-  EXPECT_EQ(folder.errors("none"),
-            "none: error: the name of a scene file must end in .toml, .pbrt, .xml, .gltf, .glb, .obj, .ply "
+  EXPECT_EQ(folder.errors("none"), "none: error: cannot be read: No such file or directory");
+  folder.write("some", "text");
+  EXPECT_EQ(folder.errors("some"),
+            "some: error: the name of a scene file must end in .toml, .pbrt, .xml, .gltf, .glb, .obj, .ply "
             "or .stl");
 }
 
