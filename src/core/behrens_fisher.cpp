@@ -40,8 +40,10 @@ double by_the_large(const Side& small, const Side& large, double distance) {
   static boost::math::quadrature::exp_sinh<double> to_infinity;
   static boost::math::quadrature::tanh_sinh<double> between;
   const auto at = [&](double x) { return pdf(small.t, x) * large.above(distance - small.sigma * x); };
-  return to_infinity.integrate([&](double x) { return at(-x); }, accuracy) +
-         between.integrate(at, 0.0, 0.5 * distance / small.sigma, accuracy);
+  const double end = 0.5 * distance / small.sigma;
+  // As a part of the end, which may be too near for points between 0 and it.
+  const double within = between.integrate([&](double part) { return at(part * end); }, 0.0, 1.0, accuracy);
+  return to_infinity.integrate([&](double x) { return at(-x); }, accuracy) + end * within;
 }
 
 // One of the two is beyond half of the distance, or both are.

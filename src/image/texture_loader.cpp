@@ -41,10 +41,10 @@ struct Packing {
 };
 
 constexpr Packing packings[] = {
-    {"targa", 128},    // in a packet of its run-length code
-    {"jpeg", 512},     // 8 × 8 texels are a bit at least, by Huffman's codes
-    {"png", 8 * 1032}, // a texel is a bit at least, and zlib packs to 1/1032 at most
-    {"hdr", 8192},     // runs of its older kind, the next one counting 256-fold
+    {"targa", 128},     // in a packet of its run-length code
+    {"jpeg", 512},      // 8 × 8 texels are a bit at least, by Huffman's codes
+    {"png", 8 * 1032},  // a texel is a bit at least, and zlib packs to 1/1032 at most
+    {"hdr", 8192},      // runs of its older kind, the next one counting 256-fold
 };
 
 // OpenImageIO makes room for all that a damaged header claims, and may take minutes to find out that it is not there.

@@ -52,7 +52,8 @@ TEST(LeaningClearcoat, DrawsDirectionsByItsDensity) {
       SCOPED_TRACE(text_of(lobe, wo));
       constexpr int draws = 50'000;
       CountedDraws counted = counted_draws(lobe, wo, random, draws);
-      EXPECT_LE(counted.total, 1 + 1e-3);  // the density jumps at the coat's horizon, which goes through cells
+      EXPECT_LE(counted.total,
+                1 + 1e-3);  // the density jumps at the coat's horizon, which goes through cells
       const ChiSquare chi = counted.chi_square(draws, counted.total);
       EXPECT_GT(chi.p, 1e-5) << "chi² " << chi.statistic << " with " << chi.degrees << " degrees of freedom";
     }

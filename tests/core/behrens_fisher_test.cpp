@@ -30,6 +30,15 @@ TEST(BehrensFisher, OfOneDegreeOfFreedomIsASumOfCauchys) {
   }
 }
 
+// Two means that agree but for their last digit, as those of a sum in another order do.
+TEST(BehrensFisher, IsSureOfNothingAtTheLeastDistance) {
+  const BehrensFisher error{1, 7, 2, 15};
+  for (const double distance : {1e-6, 1e-16, 1e-30, 1e-308}) {
+    EXPECT_NEAR(error.two_sided_p(distance), 1, 1e-5) << distance;
+    EXPECT_LE(error.two_sided_p(distance), 1 + 1e-9) << distance;
+  }
+}
+
 // 5 % points of [Sukhatme 1938] for equal degrees of freedom and tan² θ = variance_a/variance_b.
 TEST(BehrensFisher, HasThePointsOfItsTable) {
   const struct {

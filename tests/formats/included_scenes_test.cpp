@@ -70,8 +70,9 @@ void expect_point(const Vec3d& a, const Vec3d& b) {
 }
 
 TEST_P(IncludedScene, MovesAsAWhole) {
-  const SceneFile scene = folder.read_toml(include(
-      "transform = [{ scale = 2 }, { rotate = { axis = [0, 0, 1], degrees = 90 } }, { translate = [4, 5, 6] }]"));
+  const SceneFile scene =
+      folder.read_toml(include("transform = [{ scale = 2 }, { rotate = { axis = [0, 0, 1], degrees = 90 } }, "
+                               "{ translate = [4, 5, 6] }]"));
   const Affine map = translation({4, 5, 6}) * rotation({0, 0, 1}, glm::radians(90.0)) * scaling({2, 2, 2});
   const CameraSettings& camera = scene.scene.camera;
   expect_point(Vec3d(camera.position), map.point({0, 1, 5}));
@@ -122,18 +123,19 @@ TEST_P(IncludedScene, TakesMaterialsByName) {
 }
 
 TEST_P(IncludedScene, GivesWayToTheScenesOwnEnvironment) {
-  const SceneFile scene =
-      folder.read_toml(include() + "[[lights]]\ntype = \"environment\"\nradiance = 1\n");
+  const SceneFile scene = folder.read_toml(include() + "[[lights]]\ntype = \"environment\"\nradiance = 1\n");
   EXPECT_EQ(scene.scene.environment->radiance, grey(1));
-  EXPECT_TRUE(contains(folder.warnings(scene), "scene.toml:3:1: warning: this environment takes the place of that"))
+  EXPECT_TRUE(
+      contains(folder.warnings(scene), "scene.toml:3:1: warning: this environment takes the place of that"))
       << folder.warnings(scene);
 }
 
 TEST_P(IncludedScene, StandsInTheWorldAlone) {
-  const std::string object = "[objects.pair]\ninclude = [{ file = \"parts/" + file +
-                             "\" }]\n[[instances]]\nobject = \"pair\"\n";
+  const std::string object =
+      "[objects.pair]\ninclude = [{ file = \"parts/" + file + "\" }]\n[[instances]]\nobject = \"pair\"\n";
   const std::string errors = folder.errors_of_toml(object);
-  EXPECT_TRUE(contains(errors, "scene.toml:2:21: error: a scene of pbrt or Mitsuba comes into the world alone"))
+  EXPECT_TRUE(
+      contains(errors, "scene.toml:2:21: error: a scene of pbrt or Mitsuba comes into the world alone"))
       << errors;
 }
 

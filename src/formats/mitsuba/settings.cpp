@@ -78,7 +78,8 @@ void Settings::sensor(const Element& element) {
   }
   const double aspect = static_cast<double>(result_.film.width) / result_.film.height;
   PlacedCamera camera;
-  camera.name = element.id.empty() ? std::filesystem::path(element.place.where.file).stem().string() : element.id;
+  camera.name =
+      element.id.empty() ? std::filesystem::path(element.place.where.file).stem().string() : element.id;
   camera.aspect = aspect;
   camera.to_world = properties.placed();
   camera.to_world.linear[0] *= -1;  // Mitsuba's x is to the left

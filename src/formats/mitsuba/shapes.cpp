@@ -40,8 +40,7 @@ void Shapes::add(const Element& element, ShapeList& shapes) {
     for (const Element* part : properties.objects("shape")) add(*part, shapes);
     return properties.report_unknown();
   }
-  Affine to_world =
-      &shapes == &builder_.world ? properties.placed() : properties.transform("to_world");
+  Affine to_world = &shapes == &builder_.world ? properties.placed() : properties.transform("to_world");
   const Element* bsdf = properties.object("bsdf");
   const Element* emitter = properties.object("emitter");
   const MaterialId material = bsdf ? materials_.convert(*bsdf) : materials_.standard();

@@ -53,9 +53,7 @@ class Directives {
   void pop(char kind, const Token& at);
   void transform(const Affine& map) { state_.to_world = state_.to_world * map; }
   // Where things stand: in the world of the whole scene, or in an object.
-  Affine placed() const {
-    return open_object_ ? state_.to_world : inclusion_.to_world * state_.to_world;
-  }
+  Affine placed() const { return open_object_ ? state_.to_world : inclusion_.to_world * state_.to_world; }
 
   void attribute_begin(const Token&) { push('A'); }
   void attribute_end(const Token& at) { pop('A', at); }

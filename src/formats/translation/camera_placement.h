@@ -11,7 +11,7 @@ namespace umbral {
 struct PlacedCamera {
   std::string name;
   double aspect = 1;  // of the image: width over height
-  Affine to_world;  // x right, y up and z along the view
+  Affine to_world;    // x right, y up and z along the view
   bool orthographic = false;
   double half_height = 1;   // of the image on the plane z = 1, on any where it is orthographic
   glm::dvec2 center{0, 0};  // of the image on that plane
