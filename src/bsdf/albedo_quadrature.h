@@ -111,7 +111,8 @@ inline constexpr float widest_index = 0.9f;  // 1 − 1/10
 inline float coordinate_of_index(float eta) { return std::sqrt((1 - 1 / eta) / widest_index); }
 inline float index_of_coordinate(float x) { return 1 / (1 - widest_index * sqr(x)); }
 
-// Tables that are each made when they are first asked for.
+// Tables that are each made when they are first asked for. Every look-up asks: an atomic pointer answers without the call that
+// std::call_once makes each time.
 template <class Table, int count>
 class MadeWhenAsked {
  public:

@@ -24,15 +24,14 @@ float skin_chance(const Coat& lobe, const Cover& cover, float reflected) {
   return skin_probability(grey(reflected), below);
 }
 
-// visit(f |cos θi|, spread, skin above) of each part beneath the skin.
+// visit(f |cos θi|, spread) of each part beneath the skin.
 template <class Visit>
 void visit_parts(const Coat& lobe, const Vec3& wo, const Vec3& wi, Visit&& visit) {
   if (!same_side(wo, wi)) return;
   const Cover cover = cover_of(lobe);
   const Passage passage(cover, wo.z, wi.z);
-  const Skin& skin = cover.skin;
   umbral::each_part(*lobe.base, wo, wi, [&](const Spectrum& part, Spread spread) {
-    if (!is_black(part)) visit(part * passage.of(spread), spread, skin);
+    if (!is_black(part)) visit(part * passage.of(spread), spread);
   });
 }
 
@@ -48,16 +47,15 @@ bool Coat::only_delta() const { return skin_of(*this).is_smooth() && umbral::onl
 
 Spectrum Coat::f_cos(const Vec3& wo, const Vec3& wi) const {
   Spectrum f = highlight_of(skin_of(*this), wo, wi);
-  visit_parts(*this, wo, wi, [&](const Spectrum& part, Spread, const Skin&) { f += part; });
+  visit_parts(*this, wo, wi, [&](const Spectrum& part, Spread) { f += part; });
   return f;
 }
 
 void Coat::each_part(const Vec3& wo, const Vec3& wi, PartVisit visit) const {
   const Skin skin = skin_of(*this);
   if (!skin.is_smooth()) visit(highlight_of(skin, wo, wi), Spread::of_facets(skin.ggx.alpha_x));
-  visit_parts(*this, wo, wi, [&](const Spectrum& part, Spread spread, const Skin& above) {
-    visit(part, spread.under(above.lean_of_passed()));
-  });
+  visit_parts(*this, wo, wi,
+              [&](const Spectrum& part, Spread spread) { visit(part, spread.under(skin.lean_of_passed())); });
 }
 
 float Coat::pdf(const Vec3& wo, const Vec3& wi) const {

@@ -45,9 +45,8 @@ std::optional<std::string> fault_of_contents(const std::filesystem::path& path) 
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   if (std::filesystem::is_directory(status)) return fault_of_directory(path);
-  if (status.type() == std::filesystem::file_type::not_found)
-    return "cannot be read: No such file or directory";
-  if (failure || is_packed(path) || !std::filesystem::is_regular_file(status)) return std::nullopt;
+  if (failure) return "cannot be read: " + failure.message();
+  if (is_packed(path) || !std::filesystem::is_regular_file(status)) return std::nullopt;
   const FileKind kind = file_kind(path);
   // glTF files tell by themselves which of the two they are; others may be binary, and begin with anything.
   if (kind == FileKind::gltf || kind == FileKind::ply || kind == FileKind::stl) return std::nullopt;

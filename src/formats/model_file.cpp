@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "formats/assembly/place_shape.h"
-#include "formats/file_contents.h"
 #include "formats/gltf/scene.h"
 #include "formats/meshes/mesh_file.h"
 #include "formats/mitsuba/reader.h"
@@ -34,7 +33,6 @@ std::vector<std::string> add_scene(SceneBuilder& builder, const std::filesystem:
     return {};
   }
   try {
-    if (const auto fault = fault_of_contents(path)) throw SceneError(Where{path.string()}, *fault);
     return file_kind(path) == FileKind::pbrt ? pbrt_file::add_scene(builder, path, inclusion)
                                              : mitsuba_file::add_scene(builder, path, inclusion);
   } catch (const SceneError& error) {

@@ -36,6 +36,19 @@ TEST(FileContents, InUtf16AreTold) {
                 std::string(name) + ": error: it is text in UTF-16, which is not read; it must be UTF-8");
 }
 
+TEST(FileContents, OfIncludedFilesAreToldToo) {
+  const SceneFolder folder;
+  folder.write("s.obj", std::string("\xFF\xFEv\0", 4));
+  folder.write("d.gltf/a.glb", "");
+  const auto told = [&](const std::string& name) {
+    return folder.errors_of_toml("[[include]]\nfile = \"" + name + "\"\n");
+  };
+  EXPECT_TRUE(test::contains(told("s.obj"), "scene.toml:2:8: error: s.obj: it is text in UTF-16"))
+      << told("s.obj");
+  EXPECT_TRUE(test::contains(told("d.gltf"), "d.gltf: it is a directory; scenes in it are 'a.glb'"))
+      << told("d.gltf");
+}
+
 TEST(FileContents, OfADirectoryAreNamed) {
   const SceneFolder folder;
   folder.write("empty/notes.txt", "");

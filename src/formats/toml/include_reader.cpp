@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/names.h"
+#include "formats/file_contents.h"
 #include "formats/model_file.h"
 #include "formats/toml/shape_reader.h"
 #include "formats/toml/transform.h"
@@ -36,6 +37,8 @@ void ShapeReader::read_include(const Value& item, const Value::Table& entries, S
   if (!file) return;
   const std::filesystem::path path = (folder_ / *file).lexically_normal();
   const Place place = context_.place(*table.find("file"));
+  if (const auto fault = fault_of_contents(path))
+    return context_.diagnostics.error(place, SceneError(Where{path.string()}, *fault));
   if (is_plain_mesh(path)) {
     if (by_name)
       context_.error(*table.find_entry("materials"),
