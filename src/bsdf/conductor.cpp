@@ -79,9 +79,9 @@ std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float u1, const Vec2
   const Ggx ggx = ggx_of(*this);
   if (u1 < ggx_loss(ggx, o))
     return sample_at(*this, wo, from_facets(*this, sample_lossy_direction(u2, sqr(roughness)), wo));
-  const Vec3 wi = reflected(o, ggx.sample_visible_normal(o, u2));
-  if (wi.z <= 0) return std::nullopt;
-  return sample_at(*this, wo, from_facets(*this, wi, wo));
+  const auto wi = ggx.sample_reflection(o, u2);
+  if (!wi) return std::nullopt;
+  return sample_at(*this, wo, from_facets(*this, *wi, wo));
 }
 
 Spread Conductor::spread() const {

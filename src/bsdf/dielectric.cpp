@@ -129,7 +129,7 @@ float Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
   const float diffuse = side.lost * lossy_direction_pdf(std::abs(i.z), width_of(side.ggx));
   if (i.z > 0)
     return diffuse * (1 - side.through) +
-           (1 - side.lost) * chance_of(facet_reflectance(side, o, i)) * side.ggx.reflection_pdf(o, i);
+           (1 - side.lost) * chance_of(facet_reflectance(side, o, i)) * side.ggx.mirrored_pdf(o, i);
   float pdf = diffuse * side.through;
   if (const auto facet = refracting_facet(side, o, i))
     pdf += (1 - side.lost) * (1 - chance_of(facet->reflected)) * side.ggx.visible_normal_pdf(o, facet->h) *

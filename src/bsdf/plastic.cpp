@@ -86,9 +86,9 @@ std::optional<BsdfSample> Plastic::sample(const Vec3& wo, float u1, const Vec2& 
   const float skin = skin_probability(*this, reflected_share);
   if (u1 >= skin) return sample_at(*this, wo, on_side_of(square_to_cosine_hemisphere(u2), wo));
   if (is_smooth(*this)) return BsdfSample{{-wo.x, -wo.y, wo.z}, white * (reflected_share / skin), 0, true};
-  const Vec3 wi = reflected(o, ggx_of(*this).sample_visible_normal(o, u2));
-  if (wi.z <= 0) return std::nullopt;
-  return sample_at(*this, wo, on_side_of(wi, wo));
+  const auto wi = ggx_of(*this).sample_reflection(o, u2);
+  if (!wi) return std::nullopt;
+  return sample_at(*this, wo, on_side_of(*wi, wo));
 }
 
 float Plastic::internal_reflectance() const { return 1 - (1 - skin_average(*this)) / sqr(eta); }

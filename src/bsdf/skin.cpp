@@ -63,12 +63,6 @@ Spectrum Skin::f_cos(const Vec3& o, const Vec3& i) const {
          (ggx.density(sum / length) * ggx.shadowed_cos(o, i));
 }
 
-std::optional<Vec3> Skin::sample(const Vec3& o, const Vec2& u) const {
-  const Vec3 wi = reflected(o, ggx.sample_visible_normal(o, u));
-  if (wi.z <= 0) return std::nullopt;
-  return wi;
-}
-
 Spectrum body_f_cos(const Spectrum& reflectance, const Spectrum& skin_o, const Spectrum& skin_i,
                     const Spectrum& skin_average, float cos_i) {
   const Spectrum through =

@@ -24,11 +24,11 @@ struct Skin {
   // Of 1 − R, as in Spread: how what passes leans towards the horizon.
   float lean_of_passed() const;
 
-  // f |cos θi| and the density of sampling by visible normals; nothing for a smooth one.
+  // f |cos θi|, and sampling by visible normals: the density, and the direction that u gives, none below the horizon.
+  // Nothing for a smooth one.
   Spectrum f_cos(const Vec3& o, const Vec3& i) const;
   float pdf(const Vec3& o, const Vec3& i) const { return is_smooth() ? 0.0f : ggx.reflection_pdf(o, i); }
-  // The direction that u gives; none below the horizon.
-  std::optional<Vec3> sample(const Vec3& o, const Vec2& u) const;
+  std::optional<Vec3> sample(const Vec3& o, const Vec2& u) const { return ggx.sample_reflection(o, u); }
 
  private:
   Ggx rough_facets() const;  // as wide as tables reach at least

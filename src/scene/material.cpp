@@ -3,13 +3,17 @@
 
 namespace umbral {
 
-unsigned Material::needs(const std::vector<Texture>& textures) const {
+std::vector<TextureId> Material::textures() const {
+  std::vector<TextureId> all;
+  for (const TexturedParameter& map : maps) all.push_back(map.texture);
+  for (const TextureId map : {alpha.map, normal_map.map, clearcoat_normal_map.map, bump_map.map})
+    if (map != TextureId::none) all.push_back(map);
+  return all;
+}
+
+unsigned Material::needs(const std::vector<Texture>& scene_textures) const {
   unsigned needs = 0;
-  const auto add = [&](TextureId map) {
-    if (map != TextureId::none) needs |= textures[index_of(map)].needs();
-  };
-  for (const TexturedParameter& map : maps) add(map.texture);
-  for (const TextureId map : {alpha.map, normal_map.map, clearcoat_normal_map.map, bump_map.map}) add(map);
+  for (const TextureId map : textures()) needs |= scene_textures[index_of(map)].needs();
   return needs;
 }
 

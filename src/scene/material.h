@@ -77,8 +77,9 @@ struct Material {
   // Whether there may be a clearcoat whose normal is not that of what it lies on.
   bool has_clearcoat_normal() const;
   bool has_bump_map() const { return !bump_map.is_constant(); }
-  // What the textures of its parameters ask for, of texture_needs; without those of its parts.
-  unsigned needs(const std::vector<Texture>& textures) const;
+  // The textures of its parameters, without those of its parts; and what they ask for, of texture_needs.
+  std::vector<TextureId> textures() const;
+  unsigned needs(const std::vector<Texture>& scene_textures) const;
 
   // The lobe at a point, by the textures of the scene, made of what `lobe` is made of.
   Lobes at(const TexturePoint& point, const std::vector<Texture>& textures) const;

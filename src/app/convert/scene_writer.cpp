@@ -90,10 +90,7 @@ void SceneWriter::use(MaterialId id) {
   if (!used_materials_.insert(index_of(id)).second) return;
   const Material& material = scene_.materials[index_of(id)];
   for (const MaterialPart& part : material.parts) use(part.material);
-  for (const TexturedParameter& map : material.maps) use(map.texture);
-  for (const TextureId map : {material.alpha.map, material.normal_map.map, material.clearcoat_normal_map.map,
-                              material.bump_map.map})
-    use(map);
+  for (const TextureId map : material.textures()) use(map);
 }
 
 void SceneWriter::find_used() {
