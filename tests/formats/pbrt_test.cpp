@@ -1,48 +1,23 @@
 // Scenes of pbrt-v4: what their directives become.
-#include "scene_folder.h"
+#include "pbrt_kit.h"
 
 namespace umbral {
 namespace {
 
 using test::contains;
+using test::expect_near;
+using test::lobe_of;
+using test::mesh_of;
+using test::pbrt_errors;
+using test::read_pbrt;
 using test::SceneFolder;
-
-constexpr const char* square =
-    "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  1 1 0  -1 1 0 ] \"integer indices\" [ 0 1 2 0 2 "
-    "3 ]\n";
-
-// What stands before WorldBegin in most of the tests.
-SceneFile read(const SceneFolder& folder, const std::string& world, const std::string& before = "") {
-  folder.write("scene.pbrt", before + "\nWorldBegin\n" + world);
-  return folder.read("scene.pbrt");
-}
-
-std::string errors(const SceneFolder& folder, const std::string& text) {
-  folder.write("scene.pbrt", text);
-  return folder.errors("scene.pbrt");
-}
-
-const Lobes& lobe_of(const SceneFile& file, std::size_t shape) {
-  return file.scene.materials.at(index_of(file.scene.shapes.at(shape).material)).lobe;
-}
-
-const Mesh& mesh_of(const SceneFile& file, std::size_t shape) {
-  return std::get<Mesh>(file.scene.shapes.at(shape).kind);
-}
+using test::square;
 
 // Which way the first triangle faces.
 Vec3 facing(const Mesh& mesh) {
   const glm::uvec3 t = mesh.triangles.at(0);
   const Vec3 a = mesh.positions[t.x];
   return glm::normalize(cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a));
-}
-
-void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-5f) {
-  EXPECT_LT(glm::length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z;
-}
-
-void expect_color(const Spectrum& a, const Spectrum& b, float tolerance = 1e-5f) {
-  expect_near(Vec3(a), Vec3(b), tolerance);
 }
 
 TEST(Pbrt, FilmSamplerFilterAndDepthAreTheScenesSettings) {
@@ -84,12 +59,12 @@ TEST(Pbrt, CamerasAreLeftHanded) {
   const SceneFolder folder;
   const std::string look = "LookAt 1 2 3  1 2 -7  0 1 0\n";
   const std::string camera = "Camera \"perspective\" \"float fov\" 40\n";
-  const SceneFile plain = read(folder, square, look + camera);
+  const SceneFile plain = read_pbrt(folder, square, look + camera);
   EXPECT_TRUE(plain.scene.camera.mirrored);
   expect_near(plain.scene.camera.position, {1, 2, 3});
   expect_near(glm::normalize(plain.scene.camera.look_at - plain.scene.camera.position), {0, 0, -1});
   expect_near(plain.scene.camera.up, {0, 1, 0});
-  const SceneFile flipped = read(folder, square, "Scale -1 1 1\n" + look + camera);
+  const SceneFile flipped = read_pbrt(folder, square, "Scale -1 1 1\n" + look + camera);
   EXPECT_FALSE(flipped.scene.camera.mirrored);
   expect_near(flipped.scene.camera.position, {1, 2, 3});
 }
@@ -97,8 +72,9 @@ TEST(Pbrt, CamerasAreLeftHanded) {
 TEST(Pbrt, FovIsThatOfTheShorterSide) {
   const SceneFolder folder;
   const auto fov = [&](const char* film, const char* more) {
-    return read(folder, square,
-                std::string("Film \"rgb\" ") + film + "\nCamera \"perspective\" \"float fov\" 60 " + more)
+    return read_pbrt(
+               folder, square,
+               std::string("Film \"rgb\" ") + film + "\nCamera \"perspective\" \"float fov\" 60 " + more)
         .scene.camera;
   };
   EXPECT_NEAR(fov("\"integer xresolution\" 400 \"integer yresolution\" 200", "").fov, 60, 1e-4);
@@ -115,13 +91,14 @@ TEST(Pbrt, FovIsThatOfTheShorterSide) {
 
 TEST(Pbrt, TransformsGoInOrderAndAttributesEnd) {
   const SceneFolder folder;
-  const SceneFile file = read(folder,
-                              "Translate 5 0 0\nAttributeBegin\nScale 2 2 2\nRotate 90 0 0 1\n"
-                              "Shape \"sphere\"\nAttributeEnd\nShape \"sphere\" \"float radius\" 3\n"
-                              "CoordinateSystem \"here\"\nIdentity\nShape \"sphere\"\n"
-                              "CoordSysTransform \"here\"\nShape \"sphere\"\n"
-                              "Transform [ 0 1 0 0  -1 0 0 0  0 0 1 0  7 8 9 1 ]\nShape \"sphere\"\n"
-                              "ConcatTransform [ 2 0 0 0  0 2 0 0  0 0 2 0  1 0 0 1 ]\nShape \"sphere\"\n");
+  const SceneFile file =
+      read_pbrt(folder,
+                "Translate 5 0 0\nAttributeBegin\nScale 2 2 2\nRotate 90 0 0 1\n"
+                "Shape \"sphere\"\nAttributeEnd\nShape \"sphere\" \"float radius\" 3\n"
+                "CoordinateSystem \"here\"\nIdentity\nShape \"sphere\"\n"
+                "CoordSysTransform \"here\"\nShape \"sphere\"\n"
+                "Transform [ 0 1 0 0  -1 0 0 0  0 0 1 0  7 8 9 1 ]\nShape \"sphere\"\n"
+                "ConcatTransform [ 2 0 0 0  0 2 0 0  0 0 2 0  1 0 0 1 ]\nShape \"sphere\"\n");
   const auto at = [&](std::size_t shape, const Vec3d& p) {
     return Vec3(file.scene.shapes.at(shape).to_world.point(p));
   };
@@ -139,8 +116,8 @@ TEST(Pbrt, MeshesFaceTheirNormals) {
   const SceneFolder folder;
   const std::string down = "\"normal N\" [ 0 0 -1  0 0 -1  0 0 -1  0 0 -1 ]\n", turn = "ReverseOrientation\n";
   const std::string with = std::string(square, std::strlen(square) - 1) + " " + down;
-  const SceneFile file = read(folder, square + with + "AttributeBegin\nScale 1 1 -1\n" + square + with +
-                                          "AttributeEnd\n" + turn + square + with);
+  const SceneFile file = read_pbrt(folder, square + with + "AttributeBegin\nScale 1 1 -1\n" + square + with +
+                                               "AttributeEnd\n" + turn + square + with);
   const float z[] = {1, -1, -1, 1, -1, 1};
   ASSERT_EQ(file.scene.shapes.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -155,14 +132,14 @@ TEST(Pbrt, MeshesFaceTheirNormals) {
 TEST(Pbrt, ShapesOfEachKind) {
   const SceneFolder folder;
   const SceneFile file =
-      read(folder,
-           "Shape \"disk\" \"float radius\" 2 \"float height\" 3\n"
-           "Shape \"cylinder\" \"float radius\" .5 \"float zmin\" -1 \"float zmax\" 4\n"
-           "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]\n"
-           "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 1 ]\n"
-           "Shape \"loopsubdiv\" \"integer levels\" 1 \"integer indices\" [ 0 2 1 0 1 3 1 2 3 2 0 3 ]"
-           " \"point3 P\" [ 0 0 0 1 0 0 0 1 0 0 0 1 ]\n"
-           "ReverseOrientation Shape \"disk\"\n");
+      read_pbrt(folder,
+                "Shape \"disk\" \"float radius\" 2 \"float height\" 3\n"
+                "Shape \"cylinder\" \"float radius\" .5 \"float zmin\" -1 \"float zmax\" 4\n"
+                "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]\n"
+                "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 1 ]\n"
+                "Shape \"loopsubdiv\" \"integer levels\" 1 \"integer indices\" [ 0 2 1 0 1 3 1 2 3 2 0 3 ]"
+                " \"point3 P\" [ 0 0 0 1 0 0 0 1 0 0 0 1 ]\n"
+                "ReverseOrientation Shape \"disk\"\n");
   const Disk& disk = std::get<Disk>(file.scene.shapes.at(0).kind);
   EXPECT_EQ(disk.radius, 2);
   EXPECT_EQ(disk.center, Vec3(0, 0, 3));
@@ -179,163 +156,12 @@ TEST(Pbrt, ShapesOfEachKind) {
   EXPECT_LT(inverse(turned.to_world).transposed({0, 0, 1}).z, 0);
 }
 
-TEST(Pbrt, MaterialsBecomeLobes) {
-  const SceneFolder folder;
-  const SceneFile file =
-      read(folder,
-           "MakeNamedMaterial \"skin\" \"string type\" \"coateddiffuse\" \"rgb reflectance\" [ .1 .2 .3 ]"
-           " \"float roughness\" 0.04 \"float eta\" 1.4\n"
-           "NamedMaterial \"skin\" Shape \"sphere\"\n"
-           "Material \"conductor\" \"rgb eta\" [ 1 2 3 ] \"rgb k\" [ 4 5 6 ] \"float uroughness\" 0.09"
-           " \"float vroughness\" 0.09 \"bool remaproughness\" false Shape \"sphere\"\n"
-           "Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\" Shape "
-           "\"sphere\"\n"
-           "Material \"conductor\" \"rgb reflectance\" [ .25 .25 .25 ] Shape \"sphere\"\n"
-           "Material \"dielectric\" \"spectrum eta\" \"glass-BK7\" Shape \"sphere\"\n"
-           "Material \"thindielectric\" \"float eta\" 1.3 Shape \"sphere\"\n"
-           "Material \"diffusetransmission\" \"rgb transmittance\" [ .4 .2 .1 ] \"float scale\" 0.5 Shape "
-           "\"sphere\"\n"
-           "Material \"interface\" Shape \"sphere\"\n");
-  ASSERT_EQ(file.scene.shapes.size(), 7u) << "an interface is nothing to see";
-  const Plastic& plastic = std::get<Plastic>(lobe_of(file, 0));
-  expect_color(plastic.reflectance, rgb(.1f, .2f, .3f));
-  EXPECT_FLOAT_EQ(plastic.eta, 1.4f);
-  EXPECT_NEAR(plastic.roughness, std::sqrt(std::sqrt(0.04)), 1e-6) << "alpha is the square root of 0.04";
-  EXPECT_EQ(file.scene.materials[index_of(file.scene.shapes[0].material)].name, "skin");
-  const Conductor& metal = std::get<Conductor>(lobe_of(file, 1));
-  EXPECT_EQ(metal.eta, rgb(1, 2, 3));
-  EXPECT_EQ(metal.k, rgb(4, 5, 6));
-  EXPECT_NEAR(metal.roughness, 0.3, 1e-6) << "alpha is 0.09";
-  EXPECT_EQ(std::get<Conductor>(lobe_of(file, 2)).metal, Metal::Au);
-  expect_color(std::get<Conductor>(lobe_of(file, 3)).fresnel(1), grey(0.25f));
-  EXPECT_NEAR(std::get<Dielectric>(lobe_of(file, 4)).eta, 1.5168, 1e-6);
-  EXPECT_NEAR(std::get<ThinDielectric>(lobe_of(file, 5)).eta, 1.3, 1e-6);
-  const auto& sheet = std::get<DiffuseTransmission>(lobe_of(file, 6));
-  expect_color(sheet.reflectance, grey(0.125f));
-  expect_color(sheet.transmittance, rgb(.2f, .1f, .05f));
-}
-
-TEST(Pbrt, MediaThatAbsorbFillGlass) {
-  const SceneFolder folder;
-  const SceneFile file =
-      read(folder,
-           "MakeNamedMedium \"green\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ .5 .2 .4 ]"
-           " \"rgb sigma_s\" [ 0 0 0 ] \"float scale\" 2\n"
-           "AttributeBegin MediumInterface \"green\" \"\" Material \"dielectric\" Shape \"sphere\""
-           " AttributeEnd Material \"dielectric\" Shape \"sphere\"");
-  const Dielectric& filled = std::get<Dielectric>(lobe_of(file, 0));
-  const Absorption absorption = Absorption::of_color(filled.attenuation_color, filled.attenuation_distance);
-  expect_color(absorption.sigma, rgb(1, .4f, .8f));
-  EXPECT_EQ(std::get<Dielectric>(lobe_of(file, 1)).attenuation_distance, infinity);
-}
-
-TEST(Pbrt, TexturesAndOpacity) {
-  const SceneFolder folder;
-  folder.write("leaf.tga", test::tga(2, 2, 255, 255, 255, 255));
-  const SceneFile file = read(
-      folder,
-      "Texture \"squares\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [ .1 .1 .1 ] \"float uscale\" 4 "
-      "\"float vdelta\" .5\n"
-      "Texture \"leaf\" \"spectrum\" \"imagemap\" \"string filename\" \"leaf.tga\" \"string wrap\" \"clamp\" "
-      "\"bool invert\" true\n"
-      "Texture \"half\" \"float\" \"constant\" \"float value\" .5\n"
-      "Texture \"dim\" \"spectrum\" \"scale\" \"texture tex\" \"leaf\" \"texture scale\" \"half\"\n"
-      "Material \"diffuse\" \"texture reflectance\" \"squares\" Shape \"sphere\"\n"
-      "Material \"diffuse\" \"texture reflectance\" \"dim\"\n"
-      "Shape \"sphere\" \"float alpha\" .25 Shape \"sphere\" \"texture alpha\" \"half\" Shape \"sphere\"\n");
-  const auto material = [&](std::size_t shape) -> const Material& {
-    return file.scene.materials.at(index_of(file.scene.shapes.at(shape).material));
-  };
-  const auto texture = [&](std::size_t shape) -> const Texture& {
-    return file.scene.textures.at(index_of(material(shape).maps.at(0).texture));
-  };
-  const auto& checker = std::get<CheckerTexture>(texture(0).kind);
-  EXPECT_EQ(checker.even, grey(0.1f));
-  EXPECT_EQ(checker.odd, black);
-  EXPECT_EQ(checker.uv_scale, Vec2(4, 1));
-  EXPECT_EQ(checker.uv_offset, Vec2(0, 0.5f));
-  const auto& image = std::get<ImageTexture>(texture(1).kind);
-  EXPECT_EQ(image.wrap, Wrap::clamp);
-  EXPECT_FLOAT_EQ(image.factor, -0.5f);
-  EXPECT_FLOAT_EQ(image.bias, 0.5f);
-  EXPECT_FLOAT_EQ(material(1).alpha.value, 0.25f);
-  EXPECT_FLOAT_EQ(material(2).alpha.value, 0.5f);
-  EXPECT_TRUE(material(3).is_opaque());
-}
-
-TEST(Pbrt, TexturesOfTexturesBumpsAndNormals) {
-  const SceneFolder folder;
-  folder.write("n.tga", test::tga(2, 2, 128, 128, 255, 255));
-  const SceneFile file =
-      read(folder,
-           "Texture \"a\" \"spectrum\" \"checkerboard\"\nTexture \"b\" \"float\" \"checkerboard\"\n"
-           "Texture \"ab\" \"spectrum\" \"scale\" \"texture tex\" \"a\" \"texture scale\" \"b\"\n"
-           "Texture \"mix\" \"spectrum\" \"mix\" \"texture tex1\" \"ab\" \"rgb tex2\" [ 0 0 1 ] \"float "
-           "amount\" .25\n"
-           "Material \"diffuse\" \"texture reflectance\" \"mix\" \"texture displacement\" \"b\""
-           " \"string normalmap\" \"n.tga\"\nShape \"sphere\"\n");
-  const Material& material = file.scene.materials.at(index_of(file.scene.shapes.at(0).material));
-  const auto& mix = std::get<MixTexture>(file.scene.textures.at(index_of(material.maps.at(0).texture)).kind);
-  EXPECT_EQ(mix.b.value, rgb(0, 0, 1));
-  EXPECT_EQ(mix.amount.value, 0.25f);
-  EXPECT_TRUE(std::holds_alternative<ScaleTexture>(file.scene.textures.at(index_of(mix.a.map)).kind));
-  EXPECT_TRUE(material.has_bump_map());
-  EXPECT_TRUE(material.has_normal_map());
-}
-
-TEST(Pbrt, LightsInTheirUnits) {
-  const SceneFolder folder;
-  const SceneFile file = read(
-      folder,
-      "Translate 0 0 1\n"
-      "LightSource \"point\" \"rgb I\" [ 1 2 3 ] \"float scale\" 2 \"point3 from\" [ 4 5 6 ]\n"
-      "LightSource \"point\" \"blackbody I\" 3000 \"float power\" 100\n"
-      "LightSource \"spot\" \"point3 to\" [ 0 0 -1 ] \"float coneangle\" 20 \"float power\" 10\n"
-      "LightSource \"distant\" \"point3 from\" [ 0 3 0 ] \"point3 to\" [ 0 0 0 ] \"float illuminance\" 7\n"
-      "LightSource \"infinite\" \"rgb L\" [ .1 .2 .3 ] \"float scale\" 2\n"
-      "LightSource \"infinite\" \"rgb L\" [ .1 .1 .1 ]\n" +
-          std::string(square),
-      "Film \"rgb\" \"float iso\" 300\n");
-  const auto& point = std::get<PointLight>(file.scene.lights.at(0));
-  expect_near(point.position, {4, 5, 7});
-  expect_color(point.intensity, rgb(6, 12, 18));
-  const auto& warm = std::get<PointLight>(file.scene.lights.at(1));
-  EXPECT_NEAR(luminance(warm.intensity), 3 * 100 / (4 * pi_d), 1e-4);
-  EXPECT_GT(warm.intensity.r, 2 * warm.intensity.b);
-  const auto& spot = std::get<SpotLight>(file.scene.lights.at(2));
-  EXPECT_FLOAT_EQ(spot.cone_angle, 20);
-  const double full = std::cos(glm::radians(15.0)), end = std::cos(glm::radians(20.0));
-  EXPECT_NEAR(spot.intensity.g, 3 * 10 / (2 * pi_d * (1 - full + (full - end) / 2)), 1e-3);
-  const auto& sun = std::get<DistantLight>(file.scene.lights.at(3));
-  expect_near(sun.direction, {0, -1, 0});
-  expect_color(sun.irradiance, grey(21));
-  ASSERT_TRUE(file.scene.environment);
-  expect_color(file.scene.environment->radiance, rgb(0.9f, 1.5f, 2.1f));
-}
-
-TEST(Pbrt, AreaLightsShineByRadianceOrPower) {
-  const SceneFolder folder;
-  const SceneFile file = read(folder,
-                              "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [ 17 12 4 ] "
-                              "\"bool twosided\" true\n" +
-                                  std::string(square) +
-                                  "AttributeEnd\nAreaLightSource \"diffuse\" \"float power\" 50\n"
-                                  "Scale 2 2 2 Shape \"sphere\"\n" +
-                                  square);
-  EXPECT_EQ(file.scene.shapes.at(0).emission.value, rgb(17, 12, 4));
-  EXPECT_TRUE(file.scene.shapes[0].two_sided);
-  EXPECT_NEAR(file.scene.shapes.at(1).emission.value.g, 50 / (pi_d * 16 * pi_d), 1e-5);
-  // Each triangle of 8 square units is a light of its own.
-  ASSERT_EQ(file.scene.shapes.size(), 4u);
-  EXPECT_NEAR(file.scene.shapes[2].emission.value.g, 50 / (pi_d * 8), 1e-5);
-}
-
 TEST(Pbrt, ObjectsStandWhereTheirInstancesAre) {
   const SceneFolder folder;
   const SceneFile file =
-      read(folder,
-           "ObjectBegin \"ball\" Translate 0 0 1 Shape \"sphere\" ObjectEnd\n"
-           "Translate 1 0 0 ObjectInstance \"ball\" Translate 1 0 0 ObjectInstance \"ball\"\n");
+      read_pbrt(folder,
+                "ObjectBegin \"ball\" Translate 0 0 1 Shape \"sphere\" ObjectEnd\n"
+                "Translate 1 0 0 ObjectInstance \"ball\" Translate 1 0 0 ObjectInstance \"ball\"\n");
   ASSERT_EQ(file.scene.objects.size(), 1u);
   ASSERT_EQ(file.scene.objects[0].shapes.size(), 1u);
   ASSERT_EQ(file.scene.instances.size(), 2u);
@@ -346,8 +172,8 @@ TEST(Pbrt, ObjectsStandWhereTheirInstancesAre) {
 TEST(Pbrt, FilesIncludeOthers) {
   const SceneFolder folder;
   folder.write("part/move.pbrt", "Translate 1 0 0\nShape \"sphere\"\n");
-  const SceneFile file =
-      read(folder, "Include \"part/move.pbrt\" Shape \"sphere\" Import \"part/move.pbrt\" Shape \"sphere\"");
+  const SceneFile file = read_pbrt(
+      folder, "Include \"part/move.pbrt\" Shape \"sphere\" Import \"part/move.pbrt\" Shape \"sphere\"");
   std::vector<double> x;
   for (const Shape& shape : file.scene.shapes) x.push_back(shape.to_world.offset.x);
   EXPECT_EQ(x, (std::vector<double>{1, 1, 2, 1}));
@@ -357,9 +183,9 @@ TEST(Pbrt, FilesIncludeOthers) {
 
 TEST(Pbrt, AttributesSetDefaults) {
   const SceneFolder folder;
-  const SceneFile file = read(folder,
-                              "AttributeBegin Attribute \"shape\" \"float radius\" 4 Shape \"sphere\""
-                              " Shape \"sphere\" \"float radius\" 2 AttributeEnd Shape \"sphere\"");
+  const SceneFile file = read_pbrt(folder,
+                                   "AttributeBegin Attribute \"shape\" \"float radius\" 4 Shape \"sphere\""
+                                   " Shape \"sphere\" \"float radius\" 2 AttributeEnd Shape \"sphere\"");
   std::vector<float> radii;
   for (const Shape& shape : file.scene.shapes) radii.push_back(std::get<Sphere>(shape.kind).radius);
   EXPECT_EQ(radii, (std::vector<float>{4, 2, 1}));
@@ -367,11 +193,11 @@ TEST(Pbrt, AttributesSetDefaults) {
 
 TEST(Pbrt, MistakesAreToldWithTheirPlace) {
   const SceneFolder folder;
-  EXPECT_EQ(errors(folder, "WorldBegin\nShap \"sphere\""),
+  EXPECT_EQ(pbrt_errors(folder, "WorldBegin\nShap \"sphere\""),
             "scene.pbrt:2:1: error: there is no directive 'Shap'; did you mean 'Shape'?\n"
             "    2 | Shap \"sphere\"\n"
             "      | ^");
-  const std::string unknown = errors(folder, "WorldBegin\nShape \"sphere\" \"float radios\" 1");
+  const std::string unknown = pbrt_errors(folder, "WorldBegin\nShape \"sphere\" \"float radios\" 1");
   EXPECT_TRUE(contains(unknown, "scene.pbrt:2:17")) << unknown;
   EXPECT_TRUE(contains(unknown, "no parameter 'radios'; did you mean 'radius'?")) << unknown;
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
@@ -399,7 +225,7 @@ TEST(Pbrt, MistakesAreToldWithTheirPlace) {
            {"WorldBegin Texture \"a\" \"spectrum\" \"scale\" \"texture tex\" \"a\"\n"
             "Material \"diffuse\" \"texture reflectance\" \"a\" Shape \"sphere\"",
             "made of itself"}})
-    EXPECT_TRUE(contains(errors(folder, text), message)) << text << "\n" << errors(folder, text);
+    EXPECT_TRUE(contains(pbrt_errors(folder, text), message)) << text << "\n" << pbrt_errors(folder, text);
 }
 
 TEST(Pbrt, WhatIsNotSupportedIsRefusedOrLeftOut) {
@@ -408,7 +234,7 @@ TEST(Pbrt, WhatIsNotSupportedIsRefusedOrLeftOut) {
       "WorldBegin\nMakeNamedMedium \"fog\" \"string type\" \"homogeneous\"\n"
       "Shape \"curve\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 1 1 1 ]\n"
       "MediumInterface \"fog\" \"\"\nMaterial \"hair\"\nShape \"sphere\"\nLightSource \"laser\"\n";
-  const std::string refused = errors(folder, text);
+  const std::string refused = pbrt_errors(folder, text);
   EXPECT_TRUE(contains(refused, "scene.pbrt:3:1: error: not supported: a shape of type 'curve'; --lenient"))
       << refused;
   EXPECT_TRUE(contains(refused,
