@@ -164,7 +164,9 @@ TEST(Ggx, DrawsReflectionsFromAllNormalsThatReflectUpwards) {
       EXPECT_NEAR(by_bounded / all, plain / all, 0.002)
           << ggx.alpha_x << " " << ggx.alpha_y << " cosine " << c;
       EXPECT_GE(bounded / all, plain / all - 1e-4) << ggx.alpha_x << " " << ggx.alpha_y << " cosine " << c;
-      if (ggx.is_round() && ggx.alpha_x == 1) EXPECT_GE(bounded / all, 0.9999) << c;
+      if (ggx.is_round() && ggx.alpha_x == 1) {
+        EXPECT_GE(bounded / all, 0.9999) << c;
+      }
     }
 }
 
