@@ -1,4 +1,4 @@
-// The closed list of lobes (their names: core/kinds.h). A new one is its own file, a name here and an include in lobes.h.
+// The closed list of lobes (their names: core/kinds.h). A new one is its own file in lobes/, a name here and an include in lobes.h.
 #pragma once
 
 #include <variant>

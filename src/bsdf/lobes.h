@@ -3,21 +3,21 @@
 
 #include <variant>
 
-#include "bsdf/absorption.h"
-#include "bsdf/blinn_phong.h"
-#include "bsdf/coat.h"
-#include "bsdf/conductor.h"
-#include "bsdf/dielectric.h"
-#include "bsdf/diffuse_transmission.h"
-#include "bsdf/lambert.h"
+#include "bsdf/interfaces/absorption.h"
 #include "bsdf/lobe_list.h"
 #include "bsdf/lobe_parts.h"
-#include "bsdf/mirror.h"
-#include "bsdf/mix.h"
-#include "bsdf/plastic.h"
-#include "bsdf/principled.h"
-#include "bsdf/sheen.h"
-#include "bsdf/thin_dielectric.h"
+#include "bsdf/lobes/blinn_phong.h"
+#include "bsdf/lobes/coat.h"
+#include "bsdf/lobes/conductor.h"
+#include "bsdf/lobes/dielectric.h"
+#include "bsdf/lobes/diffuse_transmission.h"
+#include "bsdf/lobes/lambert.h"
+#include "bsdf/lobes/mirror.h"
+#include "bsdf/lobes/mix.h"
+#include "bsdf/lobes/plastic.h"
+#include "bsdf/lobes/principled.h"
+#include "bsdf/lobes/sheen.h"
+#include "bsdf/lobes/thin_dielectric.h"
 
 namespace umbral {
 

@@ -9,7 +9,7 @@
 namespace umbral {
 
 // classic:  L = ka Ia + Σ_i E_i [kd max(0, n·l_i) + ks max(0, n·h_i)^p], E_i = I_i/r_i², to the letter;
-// physical: the same coefficients as an energy-conserving lobe with its cosine (bsdf/blinn_phong.h), which for
+// physical: the same coefficients as an energy-conserving lobe with its cosine (bsdf/lobes/blinn_phong.h), which for
 //           matte and Blinn-Phong materials and Ia = 0 is the rendering equation cut at one bounce.
 enum class Convention { classic, physical };
 

@@ -25,7 +25,8 @@ class SmallTree {
   SmallTree(const std::string& file, const std::string& include) {
     for (const char* header :
          {"core/math.h", "image/film.h", "image/exr.h", "image/image.h", "analysis/equality.h", "bsdf/bsdf.h",
-          "scene/scene.h", "formats/toml.h", "integrators/integrator.h", "render/render.h"})
+          "bsdf/facets/microfacet.h", "bsdf/layers/skin.h", "scene/scene.h", "formats/toml.h",
+          "integrators/integrator.h", "render/render.h"})
       write(header, "#pragma once\n");
     write(file, "// A comment.\n// #include \"app/not_an_include.h\"\n#include " + include + "\n");
   }
@@ -78,6 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"image/a.h", "\"bsdf/bsdf.h\"", "image may include itself, core"},
         Case{"bsdf/a.h", "\"image/image.h\"", "bsdf may include itself, core"},
         Case{"bsdf/a.h", "\"scene/scene.h\"", "bsdf may include itself, core"},
+        Case{"bsdf/facets/a.h", "\"bsdf/layers/skin.h\"", "build on one another"},
         Case{"analysis/a.h", "\"scene/scene.h\"", "analysis may include itself, core, image"},
         Case{"render/a.cpp", "\"analysis/equality.h\"", "render may include"},
         Case{"scene/shapes/a.h", "\"formats/toml.h\"", "scene may include itself, core, image, bsdf"},
@@ -119,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"render/a.h", "\"image/film.h\"", ""}, Case{"render/a.cpp", "\"integrators/integrator.h\"", ""},
         Case{"app/a.cpp", "\"formats/toml.h\"", ""}, Case{"app/a.cpp", "<CLI/CLI.hpp>", ""},
         Case{"app/a.cpp", "\"umbral_version.h\"", ""}, Case{"bsdf/a.h", "<fmt/format.h>", ""},
-        Case{"scene/a.h", "<glm/glm.hpp>", ""}));
+        Case{"bsdf/layers/a.h", "\"bsdf/facets/microfacet.h\"", ""}, Case{"scene/a.h", "<glm/glm.hpp>", ""}));
 
 }  // namespace
 }  // namespace umbral::test

@@ -32,6 +32,12 @@ const std::map<std::string, Names>& arrows() {
   return table;
 }
 
+// The folders of a room that build on one another: each may include those before it.
+const std::map<std::string, Names>& floors() {
+  static const std::map<std::string, Names> table = {{"bsdf", {"interfaces", "facets", "layers", "lobes"}}};
+  return table;
+}
+
 // A library, the spelling of its headers, and where it may be included: rooms ("image") or files without their
 // extension ("scene/accel"); an empty list is everywhere.
 struct Library {
@@ -76,15 +82,28 @@ std::string listed(const Names& names) {
   return text;
 }
 
+// Whether `file` of `room` includes from a floor above its own.
+bool reaches_up(const std::string& room, const std::string& file, const std::string& include) {
+  if (!floors().count(room)) return false;
+  const Names& order = floors().at(room);
+  const auto floor_of = [&](const std::string& path) {
+    return std::find(order.begin(), order.end(), fs::path(path).parent_path().filename()) - order.begin();
+  };
+  const auto above_all = static_cast<std::ptrdiff_t>(order.size());
+  return floor_of(include) < above_all && floor_of(file) < floor_of(include);
+}
+
 // Why `file` (from the root of src/) of `room` must not include a header of the project, if so.
 std::optional<std::string> against_arrows(const fs::path& src, const std::string& room,
-                                          const std::string& include) {
+                                          const std::string& file, const std::string& include) {
   const std::string target = include.substr(0, include.find('/'));
   if (!arrows().count(target) || !fs::exists(src / include))
     return "no such file below src/ (includes are written from there)";
   const Names& allowed = arrows().at(room);
   if (target != room && !contains(allowed, target))
     return room + " may include " + (allowed.empty() ? "itself only" : "itself, " + listed(allowed));
+  if (target == room && reaches_up(room, file, include))
+    return "the folders of " + room + " build on one another in this order: " + listed(floors().at(room));
   static const std::regex film("image/(film|exr|png).*");
   if ((room == "integrators" || room == "scene") && std::regex_match(include, film))
     return "what integrators include never sees films or image files";
@@ -115,7 +134,8 @@ std::vector<Violation> violations_in(const fs::path& src, const std::string& fil
     if (!std::regex_match(text, match, directive)) continue;
     const bool quoted = match[1] == "\"" && match[2] != "umbral_version.h";
     const std::string include = match[2];
-    const auto reason = quoted ? against_arrows(src, room, include) : outside_its_place(file, room, include);
+    const auto reason =
+        quoted ? against_arrows(src, room, file, include) : outside_its_place(file, room, include);
     if (reason) found.push_back({file, line, quoted ? '"' + include + '"' : '<' + include + '>', *reason});
   }
   return found;

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "albedo_by_draws.h"
-#include "bsdf/albedo_quadrature.h"
-#include "bsdf/stretched_albedo.h"
+#include "bsdf/facets/albedo_quadrature.h"
+#include "bsdf/facets/stretched_albedo.h"
 #include "lobe_examples.h"
 
 namespace umbral {

@@ -1,5 +1,5 @@
 // The energy-conserving Blinn-Phong lobe: its formula, its normalisation, and its digits at high exponents.
-#include "bsdf/blinn_phong.h"
+#include "bsdf/lobes/blinn_phong.h"
 
 #include <gtest/gtest.h>
 

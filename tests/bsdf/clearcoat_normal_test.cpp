@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "albedo_by_draws.h"
-#include "bsdf/skin.h"
+#include "bsdf/layers/skin.h"
 #include "lobe_draws.h"
 #include "lobe_text.h"
 

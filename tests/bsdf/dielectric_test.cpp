@@ -1,5 +1,5 @@
 // Glass: shares of reflection and refraction, and what becomes of radiance on the way in and out.
-#include "bsdf/dielectric.h"
+#include "bsdf/lobes/dielectric.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Fresnel's equations against the textbook's amplitudes in long double, and Snell's law.
-#include "bsdf/fresnel.h"
+#include "bsdf/interfaces/fresnel.h"
 
 #include <array>
 

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "albedo_by_draws.h"
-#include "bsdf/coat.h"
-#include "bsdf/fresnel.h"
-#include "bsdf/fuzz.h"
-#include "bsdf/sheen.h"
+#include "bsdf/interfaces/fresnel.h"
+#include "bsdf/layers/fuzz.h"
+#include "bsdf/lobes/coat.h"
+#include "bsdf/lobes/sheen.h"
 #include "lobe_examples.h"
 #include "support/stability.h"
 

@@ -1,10 +1,10 @@
 // What metals reflect: their known colours, and Fresnel's equations for them.
-#include "bsdf/metals.h"
+#include "bsdf/interfaces/metals.h"
 
 #include <gtest/gtest.h>
 
-#include "bsdf/conductor.h"
-#include "bsdf/fresnel.h"
+#include "bsdf/interfaces/fresnel.h"
+#include "bsdf/lobes/conductor.h"
 
 namespace umbral {
 namespace {

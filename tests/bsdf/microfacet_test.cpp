@@ -1,5 +1,5 @@
 // GGX facets: the published albedos, digits at narrow widths, the sampling's Jacobian, and surfaces that lose nothing.
-#include "bsdf/microfacet.h"
+#include "bsdf/facets/microfacet.h"
 
 #include <array>
 
@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "albedo_by_draws.h"
-#include "bsdf/conductor.h"
-#include "bsdf/dielectric.h"
-#include "bsdf/fresnel.h"
-#include "bsdf/microfacet_albedo.h"
-#include "bsdf/plastic.h"
+#include "bsdf/facets/microfacet_albedo.h"
+#include "bsdf/interfaces/fresnel.h"
+#include "bsdf/lobes/conductor.h"
+#include "bsdf/lobes/dielectric.h"
+#include "bsdf/lobes/plastic.h"
 #include "lobe_examples.h"
 #include "support/stability.h"
 

@@ -1,5 +1,5 @@
 // Mixtures: the weighted sum of two lobes in every respect, and the weights of mirrors among them.
-#include "bsdf/mix.h"
+#include "bsdf/lobes/mix.h"
 
 #include <gtest/gtest.h>
 

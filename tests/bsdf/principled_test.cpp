@@ -1,14 +1,14 @@
 // The principled material: what glTF's texts say of it, and that its mixtures neither lose nor make light.
-#include "bsdf/principled.h"
+#include "bsdf/lobes/principled.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "albedo_by_draws.h"
-#include "bsdf/conductor.h"
-#include "bsdf/dielectric.h"
-#include "bsdf/fresnel.h"
-#include "bsdf/fuzz.h"
+#include "bsdf/interfaces/fresnel.h"
+#include "bsdf/layers/fuzz.h"
+#include "bsdf/lobes/conductor.h"
+#include "bsdf/lobes/dielectric.h"
 #include "lobe_examples.h"
 #include "support/quadrature.h"
 

@@ -1,12 +1,12 @@
 // Thin films: the series against the exact sum of all bounces, wavelength by wavelength.
-#include "bsdf/thin_film.h"
+#include "bsdf/interfaces/thin_film.h"
 
 #include <array>
 #include <complex>
 
 #include <gtest/gtest.h>
 
-#include "bsdf/fresnel.h"
+#include "bsdf/interfaces/fresnel.h"
 
 namespace umbral {
 namespace {

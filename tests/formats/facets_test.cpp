@@ -1,5 +1,5 @@
 // Metals, coats and facets of other formats: what is the same here, and what is told to be near it.
-#include "bsdf/fresnel.h"
+#include "bsdf/interfaces/fresnel.h"
 #include "scene_folder.h"
 
 namespace umbral {

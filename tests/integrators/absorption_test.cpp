@@ -1,7 +1,7 @@
 // Coloured glass: what a path loses inside of closed bodies, in closed form.
 #include <gtest/gtest.h>
 
-#include "bsdf/fresnel.h"
+#include "bsdf/interfaces/fresnel.h"
 #include "integrators/path.h"
 #include "support/scene_kit.h"
 

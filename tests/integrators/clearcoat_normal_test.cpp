@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "bsdf/skin.h"
+#include "bsdf/layers/skin.h"
 #include "even_light.h"
 #include "support/stability.h"
 

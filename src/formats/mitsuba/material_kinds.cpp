@@ -69,7 +69,7 @@ Textured<float> Materials::roughness(const Properties& properties) {
 }
 
 // Without `nonlinear` Mitsuba divides the body's reflectance ρ by 1 − K instead of 1 − ρK, K being what the skin reflects
-// back into the body (bsdf/plastic.h): as a body of ρ/(1 − K(1 − ρ)) does here.
+// back into the body (bsdf/lobes/plastic.h): as a body of ρ/(1 − K(1 − ρ)) does here.
 Materials::Draft Materials::plastic(const Properties& properties, bool rough) {
   Plastic lobe;
   lobe.eta = relative_index(builder_, properties, "polypropylene");

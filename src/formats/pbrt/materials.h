@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "bsdf/conductor.h"
+#include "bsdf/lobes/conductor.h"
 #include "formats/assembly/inclusion.h"
 #include "formats/pbrt/textures.h"
 #include "formats/translation/facet_widths.h"

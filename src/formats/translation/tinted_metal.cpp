@@ -1,7 +1,7 @@
 // The reflectance and the edge's tint of a tinted metal.
 #include "formats/translation/tinted_metal.h"
 
-#include "bsdf/fresnel.h"
+#include "bsdf/interfaces/fresnel.h"
 
 namespace umbral {
 

@@ -1,7 +1,7 @@
 // Metals that reflect less than metals do, as some files have them.
 #pragma once
 
-#include "bsdf/conductor.h"
+#include "bsdf/lobes/conductor.h"
 
 namespace umbral {
 
