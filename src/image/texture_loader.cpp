@@ -45,6 +45,7 @@ constexpr Packing packings[] = {
     {"jpeg", 512},      // 8 × 8 texels are a bit at least, by Huffman's codes
     {"png", 8 * 1032},  // a texel is a bit at least, and zlib packs to 1/1032 at most
     {"hdr", 8192},      // runs of its older kind, the next one counting 256-fold
+    {"pnm", 8},         // a texel is a bit at least
 };
 
 // OpenImageIO makes room for all that a damaged header claims, and may take minutes to find out that it is not there.

@@ -17,6 +17,7 @@
 #include "formats/samples.h"
 #include "formats/scene_file.h"
 #include "image/film_file.h"
+#include "image/texture_image.h"
 
 namespace umbral::test {
 namespace {
@@ -48,6 +49,12 @@ const SceneFolder& folder() {
   return *made;
 }
 
+// Read by itself: a scene with it would read the pictures beside it again each time.
+bool is_picture() {
+  static const std::set<std::string> pictures{"hdr", "jpg", "pfm", "png", "tga"};
+  return pictures.contains(reader_name);
+}
+
 void read(const std::string& bytes) {
   if (reader_name == "exr") {
     folder().write("a.exr", bytes);
@@ -56,6 +63,11 @@ void read(const std::string& bytes) {
   }
   static const Sample sample = sample_of(reader_name);
   folder().write(sample.file, bytes);
+  if (is_picture()) {
+    std::vector<std::string> repairs;
+    load_texture_image(folder().path(sample.file).string(), ColorSpace::automatic, repairs);
+    return;
+  }
   folder().read(sample.scene);
 }
 
