@@ -74,6 +74,7 @@ void read(const std::string& bytes) {
 }  // namespace
 }  // namespace umbral::test
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   using namespace umbral::test;
   std::filesystem::path seeds;
@@ -94,6 +95,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   return 0;
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     umbral::test::read({reinterpret_cast<const char*>(data), size});

@@ -4,9 +4,8 @@
 #include "texture_kit.h"
 
 // OpenImageIO 2.4 leaves its PNG reader by a long jump, over a string with the message: 31 bytes a broken file.
-extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
-  return "leak:ImageInput::geterror";
-}
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
+extern "C" const char* __lsan_default_suppressions() { return "leak:ImageInput::geterror"; }
 
 namespace umbral {
 namespace {

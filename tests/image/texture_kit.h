@@ -13,7 +13,7 @@
 namespace umbral::test {
 
 template <class T>
-void write_image(const std::string& path, int width, int height, int channels, OIIO::TypeDesc type,
+void write_image(const std::string& path, int width, int height, int channels, const OIIO::TypeDesc& type,
                  const std::vector<T>& pixels) {
   const auto output = OIIO::ImageOutput::create(path);
   ASSERT_TRUE(output) << OIIO::geterror();
