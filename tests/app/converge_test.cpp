@@ -123,7 +123,10 @@ TEST_F(Converge, TellsWhatATargetTakesOrThatItWasNotReached) {
 }
 
 TEST_F(Converge, ATimeLimitEndsEarlyAndSaysSo) {
-  expect(run("converge scene.toml --spp-range 4..1048576 --time-limit 1"), 0, "ended by the time limit");
+  const Outcome outcome = run("converge scene.toml --spp-range 4..1048576 --time-limit 1");
+  const bool has_slope = outcome.text.find("of log variance against log spp") != std::string::npos;
+  // A slow build does not get to three numbers of samples in a second.
+  expect(outcome, has_slope ? 0 : 4, "ended by the time limit");
 }
 
 TEST_F(Converge, BadInputIsRefused) {
