@@ -23,6 +23,13 @@ void hand_over(void*) {}
 void receive(void*) {}
 #endif
 
+// Does it at the end of a scope, by an exception too.
+struct AtEnd {
+  void (*act)(void*);
+  void* address;
+  ~AtEnd() { act(address); }
+};
+
 }  // namespace
 
 struct ThreadLimit::Impl {
@@ -42,11 +49,11 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   hand_over(&begin);
   const auto handed_body = [&](std::size_t i) {
     receive(&begin);
+    const AtEnd done{hand_over, &end};
     body(i);
-    hand_over(&end);
   };
+  const AtEnd all_done{receive, &end};
   tbb::parallel_for(std::size_t{0}, count, handed_body, tbb::simple_partitioner());
-  receive(&end);
 }
 
 }  // namespace umbral
